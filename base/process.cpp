@@ -1,0 +1,292 @@
+#include "base/process.h"
+
+#include <array>
+#include <list>
+#include <optional>
+#include <utility>  // boost/asio.hpp 1.74 uses std::exchange without it
+
+#include <boost/asio.hpp>
+#include <boost/process.hpp>
+#include <boost/process/extend.hpp>
+#include <fmt/format.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include "base/error.h"
+
+namespace lightbench {
+namespace asio = boost::asio;
+namespace bp = boost::process;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kKillDelay = std::chrono::seconds(2);
+/// A child's own children may hold its pipes open; after its end they get this long.
+constexpr auto kDrainTime = std::chrono::milliseconds(500);
+
+double seconds_of(const timeval& time) {
+  return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
+}
+
+void keep_last(std::string& text, std::size_t limit) {
+  if (text.size() > 2 * limit) text.erase(0, text.size() - limit);
+}
+
+}  // namespace
+
+std::string ProcessResult::describe() const {
+  if (timed_out) return fmt::format("timed out after {:.0f} s", seconds);
+  if (signal) return fmt::format("killed by signal {} ({})", signal, ::strsignal(signal));
+  return fmt::format("exit code {}", exit_code);
+}
+
+struct ProcessLoop::Impl {
+  /// One running child: its pipes, its timers, and what it said so far.
+  struct Job {
+    Job(asio::io_context& io, LineHandler line, ExitHandler exit)
+        : out(io),
+          err(io),
+          timer(io),
+          kill_timer(io),
+          drain_timer(io),
+          on_line(std::move(line)),
+          on_exit(std::move(exit)) {}
+
+    bp::async_pipe out, err;
+    asio::steady_timer timer, kill_timer, drain_timer;
+    std::array<char, 4096> out_block{}, err_block{};
+    std::string partial_line;
+    bp::child child;
+    bp::group group;
+    LineHandler on_line;
+    ExitHandler on_exit;
+    Clock::time_point started = Clock::now();
+    std::size_t keep_output = 0;
+    int open_pipes = 2;
+    bool ended = false;
+    ProcessResult result;
+  };
+  using JobIterator = std::list<Job>::iterator;
+
+  asio::io_context io;
+  asio::signal_set child_signal{io, SIGCHLD};
+  std::optional<asio::signal_set> stop_signals;
+  std::list<Job> jobs;
+  std::list<asio::steady_timer> tick_timers;
+  int stop_signal = 0;
+
+  void start(const ProcessOptions& options, LineHandler on_line, ExitHandler on_exit);
+  void read(JobIterator job, bool is_out);
+  void take_output(JobIterator job, bool is_out, std::string_view bytes);
+  void wait_for_children();
+  void reap();
+  void finish_if_drained(JobIterator job);
+  void terminate(JobIterator job);
+  void tick(std::list<asio::steady_timer>::iterator timer, std::chrono::milliseconds interval,
+            std::function<void()> action);
+  void run();
+};
+
+void ProcessLoop::Impl::start(const ProcessOptions& options, LineHandler on_line, ExitHandler on_exit) {
+  if (options.argv.empty()) throw Error("no program to run");
+  const auto program = find_program(options.argv.front());
+  if (program.empty())
+    throw Error("no such program (is it installed, and on the PATH?)", options.argv.front());
+  bp::environment environment = boost::this_process::environment();
+  for (const auto& [name, value] : options.environment) environment[name] = value;
+  const std::vector<std::string> arguments(options.argv.begin() + 1, options.argv.end());
+  const std::string folder = options.working_directory.empty() ? std::filesystem::current_path().string()
+                                                               : options.working_directory.string();
+
+  const auto job = jobs.emplace(jobs.end(), io, std::move(on_line), std::move(on_exit));
+  job->keep_output = options.keep_output;
+  try {
+    job->child = bp::child(
+        bp::exe = program.string(), bp::args = arguments, environment, bp::start_dir = folder,
+        bp::std_in<bp::null, bp::std_out> job->out, bp::std_err > job->err, job->group, bp::limit_handles,
+        bp::extend::on_exec_setup = [](auto&) { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
+  } catch (const bp::process_error& error) {
+    jobs.erase(job);
+    throw Error(fmt::format("cannot be started: {}", error.code().message()), program.string());
+  }
+  read(job, true);
+  read(job, false);
+  if (options.timeout.count() > 0) {
+    job->timer.expires_after(options.timeout);
+    job->timer.async_wait([this, job](const boost::system::error_code& error) {
+      if (error || job->ended) return;
+      job->result.timed_out = true;
+      terminate(job);
+    });
+  }
+}
+
+void ProcessLoop::Impl::read(JobIterator job, bool is_out) {
+  auto& pipe = is_out ? job->out : job->err;
+  auto& block = is_out ? job->out_block : job->err_block;
+  pipe.async_read_some(asio::buffer(block),
+                       [this, job, is_out](const boost::system::error_code& error, std::size_t size) {
+                         const auto& filled = is_out ? job->out_block : job->err_block;
+                         take_output(job, is_out, {filled.data(), size});
+                         if (!error) return read(job, is_out);
+                         --job->open_pipes;
+                         finish_if_drained(job);
+                       });
+}
+
+void ProcessLoop::Impl::take_output(JobIterator job, bool is_out, std::string_view bytes) {
+  auto& kept = is_out ? job->result.out : job->result.err;
+  kept += bytes;
+  keep_last(kept, job->keep_output);
+  if (!is_out || !job->on_line) return;
+  job->partial_line += bytes;
+  std::size_t end;
+  while ((end = job->partial_line.find('\n')) != std::string::npos) {
+    const std::string line = job->partial_line.substr(0, end);
+    job->partial_line.erase(0, end + 1);
+    job->on_line(line);
+  }
+}
+
+void ProcessLoop::Impl::wait_for_children() {
+  child_signal.async_wait([this](const boost::system::error_code& error, int) {
+    if (error) return;
+    reap();
+    wait_for_children();
+  });
+}
+
+/// wait4 rather than the library's own wait: it tells the CPU time of that very child.
+void ProcessLoop::Impl::reap() {
+  for (auto job = jobs.begin(); job != jobs.end();) {
+    const auto current = job++;
+    if (current->ended) continue;
+    int status = 0;
+    rusage usage{};
+    if (::wait4(current->child.id(), &status, WNOHANG, &usage) != current->child.id()) continue;
+    auto& result = current->result;
+    result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    result.seconds = std::chrono::duration<double>(Clock::now() - current->started).count();
+    result.cpu_seconds = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+    ::killpg(current->group.native_handle(), SIGKILL);
+    current->child.detach();
+    current->ended = true;
+    current->drain_timer.expires_after(kDrainTime);
+    current->drain_timer.async_wait([current](const boost::system::error_code& error) {
+      if (error) return;
+      current->out.close();
+      current->err.close();
+    });
+    finish_if_drained(current);
+  }
+}
+
+void ProcessLoop::Impl::finish_if_drained(JobIterator job) {
+  if (!job->ended || job->open_pipes > 0) return;
+  job->timer.cancel();
+  job->kill_timer.cancel();
+  job->drain_timer.cancel();
+  for (auto* text : {&job->result.out, &job->result.err})
+    if (text->size() > job->keep_output) text->erase(0, text->size() - job->keep_output);
+  // Cancelled timers still hold the iterator until their handlers have run, so the job goes last.
+  asio::post(io, [this, job] {
+    const ExitHandler on_exit = std::move(job->on_exit);
+    const ProcessResult result = std::move(job->result);
+    jobs.erase(job);
+    if (on_exit) on_exit(result);
+    if (jobs.empty()) io.stop();
+  });
+}
+
+void ProcessLoop::Impl::terminate(JobIterator job) {
+  if (job->ended) return;
+  ::killpg(job->group.native_handle(), SIGTERM);
+  job->kill_timer.expires_after(kKillDelay);
+  job->kill_timer.async_wait([job](const boost::system::error_code& error) {
+    if (!error && !job->ended) ::killpg(job->group.native_handle(), SIGKILL);
+  });
+}
+
+void ProcessLoop::Impl::tick(std::list<asio::steady_timer>::iterator timer,
+                             std::chrono::milliseconds interval, std::function<void()> action) {
+  timer->expires_after(interval);
+  timer->async_wait([this, timer, interval, action](const boost::system::error_code& error) {
+    if (error) return;
+    action();
+    tick(timer, interval, action);
+  });
+}
+
+void ProcessLoop::Impl::run() {
+  if (jobs.empty()) return;
+  stop_signals.emplace(io, SIGINT, SIGTERM, SIGHUP);
+  stop_signals->async_wait([this](const boost::system::error_code& error, int signal) {
+    if (error) return;
+    stop_signal = signal;
+    for (auto job = jobs.begin(); job != jobs.end(); ++job) terminate(job);
+  });
+  io.restart();
+  reap();  // a child may have ended before anyone listened
+  io.run();
+  stop_signals.reset();
+}
+
+ProcessLoop::ProcessLoop() : impl_(std::make_unique<Impl>()) {
+  impl_->wait_for_children();
+}
+
+ProcessLoop::~ProcessLoop() {
+  for (auto& job : impl_->jobs) {
+    if (job.ended) continue;
+    ::killpg(job.group.native_handle(), SIGKILL);
+    ::waitpid(job.child.id(), nullptr, 0);
+    job.child.detach();
+  }
+}
+
+void ProcessLoop::start(const ProcessOptions& options, LineHandler on_line, ExitHandler on_exit) {
+  impl_->start(options, std::move(on_line), std::move(on_exit));
+}
+
+void ProcessLoop::every(std::chrono::milliseconds interval, std::function<void()> tick) {
+  impl_->tick(impl_->tick_timers.emplace(impl_->tick_timers.end(), impl_->io), interval, std::move(tick));
+}
+
+void ProcessLoop::run() {
+  impl_->run();
+}
+bool ProcessLoop::interrupted() const {
+  return impl_->stop_signal != 0;
+}
+
+void ProcessLoop::terminate_all() {
+  for (auto job = impl_->jobs.begin(); job != impl_->jobs.end(); ++job) impl_->terminate(job);
+}
+
+ProcessResult run_process(const ProcessOptions& options) {
+  ProcessResult result;
+  bool interrupted = false;
+  {
+    ProcessLoop loop;
+    loop.start(options, nullptr, [&](const ProcessResult& r) { result = r; });
+    loop.run();
+    interrupted = loop.interrupted();
+  }
+  // The signal was meant for us; the child went first. The loop is gone, and its handlers with it.
+  if (interrupted) ::raise(SIGTERM);
+  return result;
+}
+
+std::filesystem::path find_program(const std::string& name) {
+  if (name.find('/') != std::string::npos)
+    return ::access(name.c_str(), X_OK) == 0 && !std::filesystem::is_directory(name)
+               ? std::filesystem::absolute(name)
+               : std::filesystem::path();
+  return bp::search_path(name).string();
+}
+
+}  // namespace lightbench
