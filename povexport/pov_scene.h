@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "base/params.h"
+#include "scene/scene.h"
+
+namespace lightbench {
+
+/// Parameters and presets (physical, paper, direct) of the POV-Ray reference; ParamValues of these rows are what
+/// `PovOptions` is made from.
+std::span<const ParamSpec> pov_params();
+std::span<const ParamPreset> pov_presets();
+
+struct PovOptions {
+  bool radiosity = true;
+  double brightness = 1.0;
+  int recursion_limit = 2;
+  int count = 250;
+  double error_bound = 0.25;
+  double pretrace_start = 0.08;
+  double pretrace_end = 0.01;
+  bool shadowless = false;
+};
+PovOptions pov_options(const ParamValues& params);
+/// Bounces of indirect light that these options give.
+int pov_bounces(const PovOptions& options);
+
+/// What all views of a scene share: mesh includes and textures under safe names of our own.
+struct PovAssets {
+  std::map<std::string, std::string> includes;  ///< file name -> SDL text
+  std::map<std::string, Image8> images;         ///< file name (.png) -> pixels
+  std::vector<std::string> warnings;            ///< what has no exact counterpart in POV-Ray
+};
+PovAssets pov_assets(const Scene& scene);
+
+/// The scene description of one view, deterministic to the byte. It includes the assets by their names. `aspect` is
+/// width / height. No text from a scene or job file stands in it but for numbers and escaped comments-free names.
+std::string pov_view(const Scene& scene, const PovAssets& assets, const Camera& camera, double aspect,
+                     const PovOptions& options);
+
+}  // namespace lightbench

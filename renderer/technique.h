@@ -1,0 +1,68 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "base/params.h"
+#include "scene/scene.h"
+
+namespace lightbench {
+
+class FrameContext;  // renderer/frame_context.h: what a technique draws with
+
+/// One frame to render.
+struct FrameRequest {
+  const Scene& scene;
+  const View& view;
+  int width = 1024;
+  int height = 768;
+  int samples = 1;                 ///< supersampling per axis, box-filtered in linear light
+  std::set<std::string> buffers;   ///< named buffers wanted besides the image
+};
+
+struct PassTime {
+  std::string name;
+  double seconds;  ///< wall clock, with the pipeline drained before and after
+};
+
+struct FrameResult {
+  Image image;                            ///< linear RGBA; alpha is coverage by objects
+  std::vector<PassTime> passes;
+  std::map<std::string, Image> buffers;   ///< linear, at the frame's size
+  std::vector<std::string> warnings;
+};
+
+struct BufferSpec {
+  std::string name;
+  std::string doc;
+};
+
+/// A way to light a view: one file pair in techniques/ and one row in techniques.cpp.
+struct Technique {
+  std::string name;
+  std::string doc;
+  std::vector<ParamSpec> params;
+  std::vector<ParamPreset> presets;
+  std::vector<BufferSpec> buffers;
+  int version = 1;                    ///< raised when the same input gives another image
+  std::vector<std::string> shaders;   ///< embedded shader files it starts from; their text is part of cache keys
+  int bounces = 0;                    ///< of indirect light
+  bool needs_gl = true;
+  /// Why it cannot render this scene with these parameters; empty when it can.
+  std::vector<std::string> (*unsupported)(const Scene& scene, const ParamValues& params) = nullptr;
+  void (*render)(FrameContext& frame, const ParamValues& params) = nullptr;
+};
+
+/// All techniques, in the order of the documentation.
+std::span<const Technique> techniques();
+/// By name; throws Error(…, where) that names the nearest one.
+const Technique& find_technique(const std::string& name, const std::string& where);
+
+/// Hash of the technique's name, version and shader sources with everything they include.
+std::string technique_fingerprint(const Technique& technique);
+
+}  // namespace lightbench

@@ -1,0 +1,119 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reports/metric.h"
+
+/// The model of a run that every report is made from; it is what run.json holds (jobs/run.schema.json).
+namespace lightbench {
+
+inline constexpr int kRunFormatVersion = 1;
+
+enum class Outcome { ok, failed, skipped };
+
+struct PassSeconds {
+  std::string name;
+  double seconds = 0;
+};
+
+struct ReportCredit {
+  std::string piece;
+  std::string creator;
+  std::string license;
+};
+
+struct ReportScene {
+  std::string name;
+  std::string file;                   ///< as the job names it
+  std::size_t triangles = 0;
+  std::vector<std::string> warnings;
+  std::vector<ReportCredit> credits;
+};
+
+/// A variant or a reference as the job has it.
+struct ReportImageSource {
+  std::string name;
+  std::string kind;                                ///< technique or reference kind
+  std::map<std::string, std::string> params;       ///< as text
+  int bounces = 0;
+  std::string tool;                                ///< renderer string, or POV-Ray's version
+};
+
+/// The snapshot of a variant, or a reference image, of one view.
+struct ReportImage {
+  std::string scene;
+  std::string view;
+  std::string source;                 ///< variant or reference name
+  bool is_reference = false;
+  Outcome outcome = Outcome::ok;
+  std::string error;                  ///< of a failed task
+  std::string png;                    ///< paths relative to the run's folder
+  std::string exr;
+  std::string pov;                    ///< of a POV-Ray reference
+  double seconds = 0;
+  bool cached = false;                ///< made by an earlier run
+  bool contended = true;              ///< other tasks ran at the same time
+  std::vector<PassSeconds> passes;
+  std::vector<std::string> warnings;
+  std::map<std::string, std::string> buffers;  ///< buffer name -> file
+};
+
+struct ReportScore {
+  std::string scene;
+  std::string view;
+  std::string variant;
+  std::string reference;
+  Outcome outcome = Outcome::ok;
+  std::string error;
+  std::map<std::string, MetricValue> metrics;
+  std::string difference_png;
+  std::string heat_png;
+  std::vector<std::string> warnings;  ///< e.g. another number of bounces than the reference
+};
+
+struct ReportGate {
+  std::string text;                   ///< as the job wrote it
+  bool passed = false;
+  std::string detail;                 ///< the value, or where and why it failed
+};
+
+struct RunReport {
+  int format = kRunFormatVersion;
+  std::string job;
+  std::string job_file;
+  std::string started;                ///< ISO 8601, UTC
+  double seconds = 0;
+  int width = 0;
+  int height = 0;
+  int samples = 1;
+  std::string baseline;               ///< variant name, may be empty
+  std::string primary_reference;
+  std::vector<std::string> metric_names;
+  std::map<std::string, std::string> tools;  ///< name -> version or fingerprint
+  std::vector<ReportScene> scenes;
+  std::vector<ReportImageSource> variants;
+  std::vector<ReportImageSource> references;
+  std::vector<ReportImage> images;
+  std::vector<ReportScore> scores;
+  std::vector<ReportGate> gates;
+  std::vector<std::string> warnings;
+};
+
+/// run.json's text, and back. Undefined values are {"undefined": reason}. `from_json` throws Error with the place.
+std::string run_report_to_json(const RunReport& report);
+RunReport run_report_from_json(const std::string& text, const std::string& file);
+
+/// Mean over the defined values of a metric for (variant, reference), over all views or those of one scene (empty:
+/// all); undefined when there is none. `count` tells how many there were.
+struct MeanValue {
+  MetricValue mean;
+  std::size_t count = 0;
+  std::size_t undefined = 0;
+};
+MeanValue mean_metric(const RunReport& report, const std::string& metric, const std::string& variant,
+                      const std::string& reference, const std::string& scene = "");
+
+}  // namespace lightbench

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/json_reader.h"
+#include "scene/scene.h"
+
+namespace lightbench {
+
+/// {"views": [{"name", "position", "look_at", "up", "fov"}]}, fov vertical in degrees. Names are unique, the
+/// position is not the look_at, up is not along the view, 0 < fov < 180: otherwise Error with its place.
+std::vector<View> read_camera_script(const std::filesystem::path& file);
+
+/// One view object of a script or a job.
+View read_view(const JsonValue& value);
+
+/// The script as text that `read_camera_script` reads back to the same floats.
+std::string camera_script_text(const std::vector<View>& views);
+
+}  // namespace lightbench

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace lightbench {
+
+struct RayHit {
+  float distance;    ///< in units of the direction's length
+  glm::vec3 normal;  ///< geometric, unit, not flipped towards the ray's origin
+};
+
+/// The closest hit of a ray from origin along a unit direction. The caller traces it (renderer/rays).
+using ClosestHit = std::function<std::optional<RayHit>(const glm::vec3& origin, const glm::vec3& direction)>;
+
+struct RandomViewOptions {
+  int count = 1;
+  std::uint64_t seed = 1;
+  float fov = 1.0472f;   ///< vertical, radians
+  float aspect = 4.0f / 3.0f;
+};
+
+/// Draws `count` valid views, named random-SEED-0001 and so on; the same for the same scene and options. A view is
+/// valid when rays say that it is not inside geometry, has something near enough in sight, and is not mostly
+/// background. Throws Error where no valid view is found in a stated number of tries.
+std::vector<View> draw_random_views(const Scene& scene, const RandomViewOptions& options,
+                                    const ClosestHit& closest_hit);
+
+/// Why the view is not valid by those rules, or nothing.
+std::optional<std::string> why_view_is_invalid(const Scene& scene, const View& view, float aspect,
+                                               const ClosestHit& closest_hit);
+
+}  // namespace lightbench

@@ -1,0 +1,165 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+
+/// A scene as plain data. World space is right-handed, y up, in the scene's own units; angles are radians;
+/// all colours are linear.
+namespace lightbench {
+
+struct Texture {
+  std::filesystem::path file;
+  Image8 pixels;  ///< RGBA, 8 bits; the colour is sRGB-encoded; row 0 is the image's top (v = 1)
+};
+
+/// A lookup into Scene::textures.
+using TextureIndex = int;
+inline constexpr TextureIndex kNoTexture = -1;
+
+struct Material {
+  std::string name;
+  glm::vec3 diffuse{0.8f};   ///< Kd; multiplied by the texture and the vertex colour
+  float specular = 0;        ///< mean of Ks
+  float exponent = 1;        ///< Ns, of Phong's R.V
+  glm::vec3 emission{0};     ///< Ke, radiance
+  float reflectance = 1;     ///< radiation mask: scales the indirect light it receives
+  TextureIndex diffuse_texture = kNoTexture;  ///< map_Kd, bilinear, repeated
+  TextureIndex cutout_texture = kNoTexture;   ///< map_d: its alpha component counts; below 0.5 nothing is there
+};
+
+/// Consecutive triangles of a mesh that share a material.
+struct MeshPart {
+  int material = 0;
+  std::uint32_t first_triangle = 0;
+  std::uint32_t triangle_count = 0;
+};
+
+struct Mesh {
+  std::string name;
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;  ///< unit; one per position
+  std::vector<glm::vec2> uvs;      ///< one per position, or empty; v points up
+  std::vector<glm::vec3> colors;   ///< linear, one per position, or empty
+  std::vector<glm::uvec3> triangles;
+  std::vector<MeshPart> parts;     ///< cover all triangles, in order
+};
+
+struct Entity {
+  std::string name;
+  int mesh = 0;
+  glm::mat4 transform{1};  ///< object to world, affine, not singular
+};
+
+struct Attenuation {
+  enum class Kind {
+    none,
+    fade,            ///< 2 / (1 + (d / distance)^power)
+    inverse_square,  ///< 1 / d^2
+    radius,          ///< saturate(1 - d / radius)^2
+  };
+  Kind kind = Kind::none;
+  float distance = 1;
+  float power = 2;
+  float radius = 1;
+};
+
+/// The factor at distance d > 0.
+float attenuation_factor(const Attenuation& attenuation, float d);
+
+enum class LightKind { point, directional, spot, area };
+
+/// colour * power is the radiance that a white diffuse surface facing the light shows where the attenuation is 1.
+struct Light {
+  std::string name;
+  LightKind kind = LightKind::point;
+  glm::vec3 position{0};          ///< point, spot; centre of an area light
+  glm::vec3 direction{0, -1, 0};  ///< unit, the way the light travels; directional, spot
+  glm::vec3 color{1};
+  float power = 1;
+  Attenuation attenuation;        ///< ignored by directional lights
+  float inner_angle = 0;          ///< spot: half-angle of the full cone
+  float outer_angle = 0;          ///< spot: half-angle where it ends; between them smoothstep in the cosine
+  glm::vec3 edge_u{0};            ///< area: full edges of the quad around `position`
+  glm::vec3 edge_v{0};
+};
+
+/// A constant emitter around the scene.
+struct Background {
+  glm::vec3 color{0};
+  bool lights = true;  ///< whether indirect light gathers it
+};
+
+struct Camera {
+  glm::vec3 position{0};
+  glm::vec3 look_at{0, 0, -1};
+  glm::vec3 up{0, 1, 0};
+  float fov = 1.0472f;  ///< vertical, radians
+};
+
+/// Right-handed orthonormal frame of a camera; up is perpendicular to the view direction.
+struct CameraFrame {
+  glm::vec3 right;
+  glm::vec3 up;
+  glm::vec3 forward;
+};
+CameraFrame camera_frame(const Camera& camera);
+
+struct View {
+  std::string name;
+  Camera camera;
+};
+
+/// Who made a piece of the scene, for the report.
+struct Credit {
+  std::string piece;
+  std::string creator;
+  std::string license;
+};
+
+struct Bounds {
+  glm::vec3 min{std::numeric_limits<float>::max()};
+  glm::vec3 max{std::numeric_limits<float>::lowest()};
+
+  bool empty() const { return min.x > max.x; }
+  void add(const glm::vec3& p);
+  glm::vec3 center() const { return 0.5f * (min + max); }
+  float diagonal() const;
+};
+
+struct Scene {
+  std::string name;
+  std::vector<Texture> textures;
+  std::vector<Material> materials;
+  std::vector<Mesh> meshes;
+  std::vector<Entity> entities;
+  std::vector<Light> lights;
+  Background background;
+  std::optional<float> near;  ///< as given by the scene file
+  std::optional<float> far;
+  std::vector<Credit> credits;
+  std::vector<std::string> warnings;         ///< what the scene has that lightbench does not show as it is
+  std::vector<std::filesystem::path> files;  ///< everything that was read, in order
+};
+
+Bounds world_bounds(const Scene& scene);
+std::size_t triangle_count(const Scene& scene);  ///< of all entities, instances counted each
+
+/// Distances along the view direction between which the view is drawn.
+struct DepthRange {
+  float near;
+  float far;
+};
+/// The scene's own near and far where given; else far is where the bounds end and near is far / 10^5 or nearer than
+/// anything in front of the camera needs.
+DepthRange depth_range(const Scene& scene, const Camera& camera);
+
+}  // namespace lightbench
