@@ -1,0 +1,64 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/params.h"
+#include "renderer/gbuffer.h"
+#include "renderer/gl_objects.h"
+#include "renderer/technique.h"
+
+namespace lightbench {
+
+enum class ShadowMode {
+  none,
+  hard,  ///< one comparison with the receiver's plane at the texel's centre
+  pcf,   ///< the same for a block of texels, weighted
+  esm,   ///< exponential shadow maps with four bilinear taps (image-space radiosity thesis, section 4.6)
+};
+
+struct ShadowOptions {
+  ShadowMode mode = ShadowMode::hard;
+  int point_size = 2048;        ///< texels along a cube map's edge; spots too
+  int directional_size = 8192;  ///< texels along a directional light's map
+  int pcf_radius = 1;           ///< texels to each side: (2r+1)^2 comparisons
+  float esm_sharpness = 90;     ///< the constant c of eq. 30
+  int esm_blur_radius = 2;      ///< texels
+};
+
+/// The rows of the shadow parameters, for techniques that are lit directly, and the options made from their
+/// values.
+std::vector<ParamSpec> shadow_params();
+ShadowOptions shadow_options(const ParamValues& params);
+
+/// Why direct lighting cannot show the scene (area lights); empty when it can.
+std::vector<std::string> direct_light_unsupported(const Scene& scene, const ParamValues& params);
+
+/// Which textures besides `lit` are wanted.
+struct DirectLightOutputs {
+  bool irradiance = false;
+  bool visibility = false;
+};
+
+struct DirectLight {
+  /// RGBA32F: emission + diffuse + specular in linear light, alpha 1; the background's colour, alpha 0,
+  /// elsewhere.
+  Texture lit;
+  /// RGBA32F, if asked for: the sum over lights of colour * power * attenuation * visibility * max(n.l, 0),
+  /// which times the albedo is the diffuse light. 0 on the background.
+  Texture irradiance;
+  /// R32F, if asked for: mean over lights of the visible share, 0 for those behind the surface; 1 on the
+  /// background.
+  Texture visibility;
+};
+
+/// Lights a G-buffer, light after light. Timed as the passes "shadow map" and "direct" (sums over the
+/// lights).
+DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const ShadowOptions& shadows,
+                              const DirectLightOutputs& outputs = {});
+
+/// Mean of the irradiance over the pixels that show an object; 0 where there is none.
+glm::vec3 mean_irradiance(const GBuffer& gbuffer, const Texture& irradiance);
+
+}  // namespace lightbench

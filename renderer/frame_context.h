@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "renderer/direct_light.h"
+#include "renderer/frame_camera.h"
+#include "renderer/gbuffer.h"
+#include "renderer/gl_program.h"
+#include "renderer/technique.h"
+
+namespace lightbench {
+
+class GpuScene;
+
+enum class Blend { replace, add };
+enum class DrawOn {
+  everything,
+  objects
+};  ///< objects: only where the target's stencil says that there is geometry
+
+/// What lives longer than a frame: compiled programs, and the scene on the GPU.
+struct GpuState {
+  ProgramCache programs;
+  VertexArray no_vertices;  ///< of full-screen passes
+};
+
+/// What a technique draws one frame with. Sizes are those drawn: the request's times its samples; `Renderer`
+/// averages the image and the buffers down. Without OpenGL (Technique::needs_gl is false) only request(),
+/// warn() and set_image(Image) may be called.
+class FrameContext {
+ public:
+  FrameContext(const FrameRequest& request, GpuState* gpu, const GpuScene* scene);
+
+  const FrameRequest& request() const { return request_; }
+  const Scene& scene() const { return request_.scene; }
+  const FrameCamera& camera() const { return camera_; }
+  int width() const { return request_.width * request_.samples; }
+  int height() const { return request_.height * request_.samples; }
+  const GpuScene& gpu_scene() const { return *gpu_scene_; }
+
+  const Program& program(const std::string& vertex, const std::string& fragment,
+                         const ShaderDefines& defines = {});
+  /// A program of full-screen passes: `fragment` after shaders/fullscreen.vert.glsl, which gives `in vec2
+  /// uv`, 0..1, y up.
+  const Program& fullscreen_program(const std::string& fragment, const ShaderDefines& defines = {});
+
+  /// Runs `draw` as the pass of that name: the pipeline is drained before and after it, and the times of
+  /// passes with one name add up. Not to be nested.
+  void pass(const std::string& name, const std::function<void()>& draw);
+
+  /// Covers the target with one triangle. Sets all state that it depends on; textures and uniforms are the
+  /// caller's.
+  void draw_fullscreen(const Framebuffer& target, const Program& program, Blend blend = Blend::replace,
+                       DrawOn where = DrawOn::everything);
+
+  /// Whether the request asks for a named buffer.
+  bool wants(const std::string& buffer) const { return request_.buffers.contains(buffer); }
+  /// Keeps the first `channels` components under a name of the technique's table, if it is wanted. A texture
+  /// that is smaller than the frame by a whole factor is enlarged by repeating texels.
+  void keep_buffer(const std::string& name, const Texture& texture, int channels);
+  void keep_buffer(const std::string& name, Image image);  ///< row 0 on top, drawn size
+
+  void set_image(const Texture& image);  ///< RGBA, linear; alpha is coverage
+  void set_image(Image image);           ///< RGBA; of the drawn size or the request's own
+  void warn(const std::string& text);
+
+  FrameResult& result() { return result_; }
+
+ private:
+  const FrameRequest& request_;
+  GpuState* gpu_;
+  const GpuScene* gpu_scene_;
+  FrameCamera camera_;
+  FrameResult result_;
+};
+
+/// Names and meanings of the buffers that every directly lit technique gives: albedo, normal, depth, shadow,
+/// direct.
+std::vector<BufferSpec> direct_buffers();
+/// Keeps those of them that are wanted. For "shadow", `direct.visibility` must have been asked for.
+void keep_direct_buffers(FrameContext& frame, const GBuffer& gbuffer, const DirectLight& direct);
+/// The outputs that the wanted buffers need.
+DirectLightOutputs wanted_outputs(const FrameContext& frame);
+
+}  // namespace lightbench

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "renderer/frame_camera.h"
+#include "renderer/gl_objects.h"
+
+namespace lightbench {
+
+class FrameContext;
+
+enum class NormalFormat {
+  octahedral16,  ///< two 16-bit components; axes are exact
+  rgb8,          ///< n = 2c/255 - 1, the thesis's eq. 22
+};
+
+enum class FrustumCulling { on, off };
+
+struct GBufferOptions {
+  NormalFormat normals = NormalFormat::octahedral16;
+  FrustumCulling culling = FrustumCulling::on;
+};
+
+/// What the camera sees, after section 4.2 of the image-space radiosity thesis. All textures have the
+/// camera's size, OpenGL's row 0 (the bottom row) first. Shaders read them through `#include
+/// "shaders/gbuffer.glsl"`, after `bind`.
+struct GBuffer {
+  FrameCamera camera;
+  int width = 0;
+  int height = 0;
+  NormalFormat normal_format = NormalFormat::octahedral16;
+  Texture
+      albedo;  ///< RGBA16F: linear diffuse reflectance; alpha is the radiation mask (Material::reflectance)
+  Texture normal;            ///< RG16 or RGBA8: unit shading normal in world space, towards the viewer
+  Texture geometric_normal;  ///< RG16 octahedral: the triangle's own normal, towards the viewer
+  Texture depth;     ///< R32F: eye-space z / far; 0 where there is no geometry: such pixels must be skipped
+  Texture specular;  ///< RG16F: strength ks and Phong exponent
+  Texture emission;  ///< RGBA32F: Ke and alpha 1; the background's colour and alpha 0 without geometry
+  Texture depth_stencil;  ///< stencil 1 where there is geometry
+
+  /// Binds the textures to the units of shaders/gbuffer.glsl (0 to 5) and the camera to its uniform block 0.
+  void bind() const;
+
+  Buffer camera_block;
+};
+
+/// Draws the scene of the frame; times nothing.
+GBuffer draw_gbuffer(FrameContext& frame, const FrameCamera& camera, int width, int height,
+                     const GBufferOptions& options = {});
+
+/// What programs that include shaders/gbuffer.glsl must be compiled with for this G-buffer.
+std::vector<std::string> gbuffer_defines(const GBuffer& gbuffer);
+
+}  // namespace lightbench

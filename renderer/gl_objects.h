@@ -1,0 +1,141 @@
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <utility>
+
+#include "base/image.h"
+
+/// Move-only owners of OpenGL objects. All need a current context (renderer/gl_context.h), also to be
+/// destroyed; a default-made one is empty (id 0). Allocation throws Error when OpenGL is out of memory.
+namespace lightbench {
+
+enum class TexelFormat {
+  r8,
+  rgba8,
+  srgb8_alpha8,
+  rg16,  ///< unsigned normalised
+  rgba16,
+  r16f,
+  rg16f,
+  rgba16f,
+  r32f,
+  rg32f,
+  rgba32f,
+  depth32f,
+  depth32f_stencil8,
+};
+int component_count(TexelFormat format);
+
+enum class Filter { nearest, linear };  ///< never mipmaps
+enum class Wrap { clamp, repeat };
+
+/// The name of an OpenGL object that is deleted by `Delete` when its owner goes.
+template <void (*Delete)(unsigned)>
+class GlHandle {
+ public:
+  GlHandle() = default;
+  explicit GlHandle(unsigned id) : id_(id) {}
+  GlHandle(GlHandle&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+  GlHandle& operator=(GlHandle&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+  ~GlHandle() {
+    if (id_ != 0) Delete(id_);
+  }
+  unsigned id() const { return id_; }
+
+ private:
+  unsigned id_ = 0;
+};
+
+void delete_texture(unsigned id);
+void delete_buffer(unsigned id);
+void delete_vertex_array(unsigned id);
+void delete_framebuffer(unsigned id);
+
+/// A two-dimensional or cube texture of immutable storage with one level.
+class Texture {
+ public:
+  Texture() = default;
+  Texture(TexelFormat format, int width, int height, Filter filter = Filter::nearest,
+          Wrap wrap = Wrap::clamp);
+  static Texture cube(TexelFormat format, int size);
+
+  unsigned id() const { return handle_.id(); }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  TexelFormat format() const { return format_; }
+  bool is_cube() const { return cube_; }
+
+  void upload(const Image8& pixels);  ///< RGBA, row 0 on top: v = 1 is the image's top
+  void upload(const Image& pixels);   ///< float, as many components as the format has, row 0 on top
+  void bind(unsigned unit) const;
+
+ private:
+  GlHandle<delete_texture> handle_;
+  TexelFormat format_ = TexelFormat::rgba8;
+  int width_ = 0;
+  int height_ = 0;
+  bool cube_ = false;
+};
+
+/// The first `channels` components as floats, row 0 on top (OpenGL's row 0 is the bottom). Drains the
+/// pipeline.
+Image read_back(const Texture& texture, int channels);
+
+/// A buffer of bytes, immutable in size.
+class Buffer {
+ public:
+  Buffer() = default;
+  Buffer(const void* data, std::size_t bytes);
+
+  unsigned id() const { return handle_.id(); }
+  std::size_t size() const { return bytes_; }
+  void update(const void* data, std::size_t bytes);  ///< from the start; bytes <= size()
+  void bind_uniform(unsigned binding) const;
+  void bind_storage(unsigned binding) const;
+
+ private:
+  GlHandle<delete_buffer> handle_;
+  std::size_t bytes_ = 0;
+};
+
+class VertexArray {
+ public:
+  VertexArray();
+
+  unsigned id() const { return handle_.id(); }
+  /// Attribute `location` reads `components` floats from `buffer` at offset 0, tightly packed.
+  void attribute(unsigned location, const Buffer& buffer, int components);
+  void indices(const Buffer& buffer);
+
+ private:
+  GlHandle<delete_vertex_array> handle_;
+};
+
+/// Colour attachments in order of the fragment shader's output locations, and depth (with stencil if it has
+/// one). The textures must outlive it. All have one size, which becomes the viewport on `bind`.
+class Framebuffer {
+ public:
+  Framebuffer() = default;
+  explicit Framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth = nullptr);
+  /// One face of a cube: depth only, or colour only.
+  static Framebuffer cube_face(const Texture& cube, int face);
+
+  unsigned id() const { return handle_.id(); }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  void bind() const;
+  void clear_color(int attachment, float r, float g, float b, float a) const;
+  void clear_depth(float depth) const;
+  void clear_depth_stencil(float depth, int stencil) const;
+
+ private:
+  GlHandle<delete_framebuffer> handle_;
+  int width_ = 0;
+  int height_ = 0;
+};
+
+}  // namespace lightbench
