@@ -68,7 +68,7 @@ void write_with_oiio(const std::filesystem::path& file, const OIIO::ImageSpec& s
                      const void* pixels) {
   check_image_size(spec.width, spec.height, file.string());
   AtomicFile target(file);
-  auto output = OIIO::ImageOutput::create(file.extension().string());
+  auto output = OIIO::ImageOutput::create(file.string());
   if (!output) throw Error("cannot write this kind of image: " + one_line(OIIO::geterror()), file.string());
   if (!output->open(target.path().string(), spec) || !output->write_image(type, pixels) || !output->close())
     throw Error("cannot write: " + one_line(output->geterror()), file.string());

@@ -8,11 +8,14 @@
 #include <boost/asio.hpp>
 #include <boost/process.hpp>
 #include <boost/process/extend.hpp>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <linux/close_range.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include "base/error.h"
 
@@ -29,6 +32,14 @@ constexpr auto kDrainTime = std::chrono::milliseconds(500);
 
 double seconds_of(const timeval& time) {
   return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
+}
+
+/// Runs in the child before it becomes the program.
+void prepare_child() {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // The pipes of other children would keep those from ending.
+  if (::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) == 0) return;
+  for (int descriptor = 3; descriptor < 1024; ++descriptor) ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);
 }
 
 void keep_last(std::string& text, std::size_t limit) {
@@ -106,8 +117,8 @@ void ProcessLoop::Impl::start(const ProcessOptions& options, LineHandler on_line
   try {
     job->child = bp::child(
         bp::exe = program.string(), bp::args = arguments, environment, bp::start_dir = folder,
-        bp::std_in<bp::null, bp::std_out> job->out, bp::std_err > job->err, job->group, bp::limit_handles,
-        bp::extend::on_exec_setup = [](auto&) { ::prctl(PR_SET_PDEATHSIG, SIGKILL); });
+        bp::std_in<bp::null, bp::std_out> job->out, bp::std_err > job->err, job->group,
+        bp::extend::on_exec_setup = [](auto&) { prepare_child(); });
   } catch (const bp::process_error& error) {
     jobs.erase(job);
     throw Error(fmt::format("cannot be started: {}", error.code().message()), program.string());

@@ -15,11 +15,11 @@ namespace lightbench {
 /// A child process: arguments as a vector (never a shell), a process group of its own, killed with its
 /// parent.
 struct ProcessOptions {
-  std::vector<std::string> argv;  ///< argv[0] is looked up on the PATH unless it has a slash
-  std::filesystem::path working_directory;
-  std::map<std::string, std::string> environment;  ///< added to ours
-  std::chrono::milliseconds timeout{0};            ///< 0: none; at the end TERM, and KILL 2 s later
-  std::size_t keep_output = 1 << 20;               ///< last bytes kept of each stream
+  std::vector<std::string> argv;              ///< argv[0] is looked up on the PATH unless it has a slash
+  std::filesystem::path working_directory{};  ///< empty: ours
+  std::map<std::string, std::string> environment{};  ///< added to ours
+  std::chrono::milliseconds timeout{0};              ///< 0: none; at the end TERM, and KILL 2 s later
+  std::size_t keep_output = 1 << 20;                 ///< last bytes kept of each stream
 };
 
 struct ProcessResult {
