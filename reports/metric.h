@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,11 +11,11 @@
 
 namespace lightbench {
 
-/// What a metric sees: 8-bit sRGB images of one size with three components (Error otherwise, by `check_pair`).
+/// What a metric sees: 8-bit sRGB images of one size with three components, checked by `check_pair`.
 struct MetricInput {
   const Image8& reference;
   const Image8& image;
-  const Image8* baseline = nullptr;            ///< for metrics with needs_baseline
+  const Image8* baseline = nullptr;                 ///< for metrics with needs_baseline
   const std::vector<std::uint8_t>* mask = nullptr;  ///< one byte a pixel, non-zero counts; for masked metrics
 };
 
@@ -25,6 +26,8 @@ struct MetricValue {
 
   static MetricValue of(double v) { return {v, {}}; }
   static MetricValue undefined(std::string reason) { return {std::nullopt, std::move(reason)}; }
+
+  bool operator==(const MetricValue&) const = default;
 };
 
 enum class Better { lower, higher, neither };
@@ -33,19 +36,30 @@ enum class Better { lower, higher, neither };
 struct Metric {
   std::string name;
   std::string doc;
-  std::string unit;      ///< "of 255", "%", "" ...
+  std::string unit;  ///< "of 255", "%", "" ...
   Better better = Better::lower;
   bool needs_baseline = false;
-  bool masked = false;   ///< computed over the mask's pixels where one is given
-  int version = 1;
-  int decimals = 4;      ///< shown in tables
+  bool masked = false;  ///< computed over the mask's pixels where one is given
+  int version = 1;      ///< goes up whenever the same images may give another number
+  int decimals = 4;     ///< shown in tables
   MetricValue (*compute)(const MetricInput& input) = nullptr;
 };
 
 std::span<const Metric> metrics();
+/// Throws Error(..., where) for an unknown name, with the nearest known one.
 const Metric& find_metric(const std::string& name, const std::string& where);
 
-/// Throws Error where the images differ in size (naming both), or are empty.
+/// The named metrics of one pair. A metric that needs a baseline where there is none is undefined, and so is
+/// one that comes out as NaN or infinity. Throws Error for an unknown name, images that do not fit together
+/// (`check_pair`), or a mask of another size.
+std::map<std::string, MetricValue> compute_metrics(const std::vector<std::string>& names,
+                                                   const MetricInput& input);
+
+/// Throws Error where the images differ in size (naming both), are empty, or have not three components.
 void check_pair(const Image8& a, const Image8& b, const std::string& a_name, const std::string& b_name);
+
+/// The pixels that objects cover by at least half, for MetricInput::mask: those whose fourth component is 128
+/// or more. All pixels where the image has no fourth component.
+std::vector<std::uint8_t> object_mask(const Image8& image);
 
 }  // namespace lightbench

@@ -10,13 +10,13 @@
 namespace lightbench {
 
 struct ReportFile {
-  std::string name;   ///< relative to the run's folder
+  std::string name;  ///< relative to the run's folder
   std::string text;
 };
 
 /// A way to write a run: one file pair in formats/ and one row in report_formats.cpp.
 struct ReportFormat {
-  std::string name;   ///< "html", "json", "junit", "markdown", "res"
+  std::string name;  ///< "html", "json", "junit", "markdown", "res"
   std::string doc;
   std::vector<ReportFile> (*write)(const RunReport& report) = nullptr;
 };

@@ -27,7 +27,7 @@ struct ReportCredit {
 
 struct ReportScene {
   std::string name;
-  std::string file;                   ///< as the job names it
+  std::string file;  ///< as the job names it
   std::size_t triangles = 0;
   std::vector<std::string> warnings;
   std::vector<ReportCredit> credits;
@@ -36,26 +36,26 @@ struct ReportScene {
 /// A variant or a reference as the job has it.
 struct ReportImageSource {
   std::string name;
-  std::string kind;                                ///< technique or reference kind
-  std::map<std::string, std::string> params;       ///< as text
+  std::string kind;                           ///< technique or reference kind
+  std::map<std::string, std::string> params;  ///< as text
   int bounces = 0;
-  std::string tool;                                ///< renderer string, or POV-Ray's version
+  std::string tool;  ///< renderer string, or POV-Ray's version
 };
 
 /// The snapshot of a variant, or a reference image, of one view.
 struct ReportImage {
   std::string scene;
   std::string view;
-  std::string source;                 ///< variant or reference name
+  std::string source;  ///< variant or reference name
   bool is_reference = false;
   Outcome outcome = Outcome::ok;
-  std::string error;                  ///< of a failed task
-  std::string png;                    ///< paths relative to the run's folder
+  std::string error;  ///< of a failed task
+  std::string png;    ///< paths relative to the run's folder
   std::string exr;
-  std::string pov;                    ///< of a POV-Ray reference
+  std::string pov;  ///< of a POV-Ray reference
   double seconds = 0;
-  bool cached = false;                ///< made by an earlier run
-  bool contended = true;              ///< other tasks ran at the same time
+  bool cached = false;    ///< made by an earlier run
+  bool contended = true;  ///< other tasks ran at the same time
   std::vector<PassSeconds> passes;
   std::vector<std::string> warnings;
   std::map<std::string, std::string> buffers;  ///< buffer name -> file
@@ -75,21 +75,21 @@ struct ReportScore {
 };
 
 struct ReportGate {
-  std::string text;                   ///< as the job wrote it
+  std::string text;  ///< as the job wrote it
   bool passed = false;
-  std::string detail;                 ///< the value, or where and why it failed
+  std::string detail;  ///< the value, or where and why it failed
 };
 
 struct RunReport {
   int format = kRunFormatVersion;
   std::string job;
   std::string job_file;
-  std::string started;                ///< ISO 8601, UTC
+  std::string started;  ///< ISO 8601, UTC
   double seconds = 0;
   int width = 0;
   int height = 0;
   int samples = 1;
-  std::string baseline;               ///< variant name, may be empty
+  std::string baseline;  ///< variant name, may be empty
   std::string primary_reference;
   std::vector<std::string> metric_names;
   std::map<std::string, std::string> tools;  ///< name -> version or fingerprint
@@ -102,12 +102,13 @@ struct RunReport {
   std::vector<std::string> warnings;
 };
 
-/// run.json's text, and back. Undefined values are {"undefined": reason}. `from_json` throws Error with the place.
+/// run.json's text, and back. Undefined values are {"undefined": reason}. `from_json` throws Error with the
+/// place.
 std::string run_report_to_json(const RunReport& report);
 RunReport run_report_from_json(const std::string& text, const std::string& file);
 
-/// Mean over the defined values of a metric for (variant, reference), over all views or those of one scene (empty:
-/// all); undefined when there is none. `count` tells how many there were.
+/// Mean over the defined values of a metric for (variant, reference), over all views or those of one scene
+/// (empty: all); undefined when there is none. `count` tells how many there were.
 struct MeanValue {
   MetricValue mean;
   std::size_t count = 0;

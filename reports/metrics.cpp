@@ -1,0 +1,142 @@
+#include <cmath>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "reports/metric.h"
+#include "reports/metrics/closeness.h"
+#include "reports/metrics/gain.h"
+#include "reports/metrics/luminance_error.h"
+#include "reports/metrics/luv.h"
+#include "reports/metrics/mean_error.h"
+#include "reports/metrics/pearson.h"
+#include "reports/metrics/quality.h"
+#include "reports/metrics/rmse.h"
+
+namespace lightbench {
+
+std::span<const Metric> metrics() {
+  static const Metric table[] = {
+      {.name = "mean_error",
+       .doc = "mean absolute difference over all pixels and components",
+       .unit = "of 255",
+       .better = Better::lower,
+       .decimals = 3,
+       .compute = mean_error},
+      {.name = "pearson",
+       .doc = "Pearson correlation over all components pooled, -1 to 1",
+       .unit = "",
+       .better = Better::higher,
+       .decimals = 4,
+       .compute = pearson},
+      {.name = "luv",
+       .doc = "mean distance in CIE 1976 L*u*v* (D65) over the object pixels, at most 274.6",
+       .unit = "",
+       .better = Better::lower,
+       .masked = true,
+       .decimals = 3,
+       .compute = luv},
+      {.name = "luminance_error",
+       .doc = "mean absolute difference of 0.27 R + 0.67 G + 0.06 B",
+       .unit = "of 255",
+       .better = Better::lower,
+       .decimals = 3,
+       .compute = luminance_error},
+      {.name = "rmse",
+       .doc = "square root of the mean squared difference over all pixels and components",
+       .unit = "of 255",
+       .better = Better::lower,
+       .decimals = 3,
+       .compute = rmse},
+      {.name = "gain",
+       .doc = "by how much the mean error is below the baseline's, in percent of the baseline's",
+       .unit = "%",
+       .better = Better::higher,
+       .needs_baseline = true,
+       .decimals = 2,
+       .compute = gain},
+      {.name = "quality",
+       .doc =
+           "-1 where the image has a smaller mean error than the baseline, 1 where the baseline has, 0 where "
+           "both have the same",
+       .unit = "",
+       .better = Better::lower,
+       .needs_baseline = true,
+       .decimals = 0,
+       .compute = quality},
+      {.name = "closer",
+       .doc = "pixels that are strictly closer to the reference than the baseline's",
+       .unit = "%",
+       .better = Better::higher,
+       .needs_baseline = true,
+       .decimals = 1,
+       .compute = closer_share},
+      {.name = "farther",
+       .doc = "pixels that are strictly farther from the reference than the baseline's",
+       .unit = "%",
+       .better = Better::lower,
+       .needs_baseline = true,
+       .decimals = 1,
+       .compute = farther_share},
+      {.name = "equal",
+       .doc = "pixels as far from the reference as the baseline's",
+       .unit = "%",
+       .better = Better::neither,
+       .needs_baseline = true,
+       .decimals = 1,
+       .compute = equal_share},
+  };
+  return table;
+}
+
+const Metric& find_metric(const std::string& name, const std::string& where) {
+  std::vector<std::string> known;
+  for (const Metric& metric : metrics()) {
+    if (metric.name == name) return metric;
+    known.push_back(metric.name);
+  }
+  throw Error("unknown metric '" + name + "'" + did_you_mean(name, known), where);
+}
+
+std::map<std::string, MetricValue> compute_metrics(const std::vector<std::string>& names,
+                                                   const MetricInput& input) {
+  check_pair(input.reference, input.image, "the reference", "the image");
+  if (input.baseline) check_pair(input.reference, *input.baseline, "the reference", "the baseline");
+  if (input.mask && input.mask->size() != input.reference.pixel_count())
+    throw Error("the mask has " + std::to_string(input.mask->size()) + " pixels, the images have " +
+                std::to_string(input.reference.pixel_count()));
+  std::map<std::string, MetricValue> values;
+  for (const std::string& name : names) {
+    const Metric& metric = find_metric(name, "");
+    MetricValue value = metric.needs_baseline && !input.baseline
+                            ? MetricValue::undefined("there is no baseline")
+                            : metric.compute(input);
+    if (value.value && !std::isfinite(*value.value)) value = MetricValue::undefined("not a finite number");
+    values[name] = std::move(value);
+  }
+  return values;
+}
+
+void check_pair(const Image8& a, const Image8& b, const std::string& a_name, const std::string& b_name) {
+  const auto size = [](const Image8& image) {
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
+  };
+  if (a.empty()) throw Error("the image is empty", a_name);
+  if (b.empty()) throw Error("the image is empty", b_name);
+  if (a.width != b.width || a.height != b.height)
+    throw Error("images of different size: " + a_name + " is " + size(a) + ", " + b_name + " is " + size(b));
+  const auto components = [](const Image8& image, const std::string& name) {
+    if (image.channels != 3)
+      throw Error("expected 3 components a pixel, got " + std::to_string(image.channels), name);
+  };
+  components(a, a_name);
+  components(b, b_name);
+}
+
+std::vector<std::uint8_t> object_mask(const Image8& image) {
+  std::vector<std::uint8_t> mask(image.pixel_count(), 1);
+  if (image.channels != 4) return mask;
+  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = image.data[4 * i + 3] >= 128;
+  return mask;
+}
+
+}  // namespace lightbench
