@@ -35,7 +35,7 @@ bool stores_integers(const OIIO::ImageSpec& spec) {
 
 template <typename Component>
 BasicImage<Component> read_components(OIIO::ImageInput& input, const std::filesystem::path& file,
-                                      OIIO::TypeDesc type) {
+                                      const OIIO::TypeDesc& type) {
   const OIIO::ImageSpec& spec = input.spec();
   const int channels = std::min(spec.nchannels, 4);
   BasicImage<Component> image(spec.width, spec.height, channels);
@@ -58,14 +58,14 @@ BasicImage<Component> with_color(BasicImage<Component> image) {
   return result;
 }
 
-OIIO::ImageSpec output_spec(int width, int height, int channels, OIIO::TypeDesc type) {
+OIIO::ImageSpec output_spec(int width, int height, int channels, const OIIO::TypeDesc& type) {
   OIIO::ImageSpec spec(width, height, channels, type);
   if (channels == 4) spec.alpha_channel = 3;
   return spec;
 }
 
-void write_with_oiio(const std::filesystem::path& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-                     const void* pixels) {
+void write_with_oiio(const std::filesystem::path& file, const OIIO::ImageSpec& spec,
+                     const OIIO::TypeDesc& type, const void* pixels) {
   check_image_size(spec.width, spec.height, file.string());
   AtomicFile target(file);
   auto output = OIIO::ImageOutput::create(file.string());

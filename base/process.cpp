@@ -97,7 +97,7 @@ struct ProcessLoop::Impl {
   void finish_if_drained(JobIterator job);
   void terminate(JobIterator job);
   void tick(std::list<asio::steady_timer>::iterator timer, std::chrono::milliseconds interval,
-            std::function<void()> action);
+            const std::function<void()>& action);
   void run();
 };
 
@@ -223,7 +223,7 @@ void ProcessLoop::Impl::terminate(JobIterator job) {
 }
 
 void ProcessLoop::Impl::tick(std::list<asio::steady_timer>::iterator timer,
-                             std::chrono::milliseconds interval, std::function<void()> action) {
+                             std::chrono::milliseconds interval, const std::function<void()>& action) {
   timer->expires_after(interval);
   timer->async_wait([this, timer, interval, action](const boost::system::error_code& error) {
     if (error) return;
