@@ -44,13 +44,13 @@ struct DirectLightOutputs {
 struct DirectLight {
   /// RGBA32F: emission + diffuse + specular in linear light, alpha 1; the background's colour, alpha 0,
   /// elsewhere.
-  Texture lit;
+  GlTexture lit;
   /// RGBA32F, if asked for: the sum over lights of colour * power * attenuation * visibility * max(n.l, 0),
   /// which times the albedo is the diffuse light. 0 on the background.
-  Texture irradiance;
+  GlTexture irradiance;
   /// R32F, if asked for: mean over lights of the visible share, 0 for those behind the surface; 1 on the
   /// background.
-  Texture visibility;
+  GlTexture visibility;
 };
 
 /// Lights a G-buffer, light after light. Timed as the passes "shadow map" and "direct" (sums over the
@@ -59,6 +59,6 @@ DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const
                               const DirectLightOutputs& outputs = {});
 
 /// Mean of the irradiance over the pixels that show an object; 0 where there is none.
-glm::vec3 mean_irradiance(const GBuffer& gbuffer, const Texture& irradiance);
+glm::vec3 mean_irradiance(const GBuffer& gbuffer, const GlTexture& irradiance);
 
 }  // namespace lightbench

@@ -59,10 +59,10 @@ class FrameContext {
   bool wants(const std::string& buffer) const { return request_.buffers.contains(buffer); }
   /// Keeps the first `channels` components under a name of the technique's table, if it is wanted. A texture
   /// that is smaller than the frame by a whole factor is enlarged by repeating texels.
-  void keep_buffer(const std::string& name, const Texture& texture, int channels);
+  void keep_buffer(const std::string& name, const GlTexture& texture, int channels);
   void keep_buffer(const std::string& name, Image image);  ///< row 0 on top, drawn size
 
-  void set_image(const Texture& image);  ///< RGBA, linear; alpha is coverage
+  void set_image(const GlTexture& image);  ///< RGBA, linear; alpha is coverage
   void set_image(Image image);           ///< RGBA; of the drawn size or the request's own
   void warn(const std::string& text);
 

@@ -27,14 +27,14 @@ struct GBuffer {
   int width = 0;
   int height = 0;
   NormalFormat normal_format = NormalFormat::octahedral16;
-  Texture
+  GlTexture
       albedo;  ///< RGBA16F: linear diffuse reflectance; alpha is the radiation mask (Material::reflectance)
-  Texture normal;            ///< RG16 or RGBA8: unit shading normal in world space, towards the viewer
-  Texture geometric_normal;  ///< RG16 octahedral: the triangle's own normal, towards the viewer
-  Texture depth;     ///< R32F: eye-space z / far; 0 where there is no geometry: such pixels must be skipped
-  Texture specular;  ///< RG16F: strength ks and Phong exponent
-  Texture emission;  ///< RGBA32F: Ke and alpha 1; the background's colour and alpha 0 without geometry
-  Texture depth_stencil;  ///< stencil 1 where there is geometry
+  GlTexture normal;            ///< RG16 or RGBA8: unit shading normal in world space, towards the viewer
+  GlTexture geometric_normal;  ///< RG16 octahedral: the triangle's own normal, towards the viewer
+  GlTexture depth;     ///< R32F: eye-space z / far; 0 where there is no geometry: such pixels must be skipped
+  GlTexture specular;  ///< RG16F: strength ks and Phong exponent
+  GlTexture emission;  ///< RGBA32F: Ke and alpha 1; the background's colour and alpha 0 without geometry
+  GlTexture depth_stencil;  ///< stencil 1 where there is geometry
 
   /// Binds the textures to the units of shaders/gbuffer.glsl (0 to 5) and the camera to its uniform block 0.
   void bind() const;

@@ -55,19 +55,19 @@ void delete_buffer(unsigned id);
 void delete_vertex_array(unsigned id);
 void delete_framebuffer(unsigned id);
 
-/// A two-dimensional or cube texture of immutable storage with one level.
-class Texture {
+/// A two-dimensional texture, or an array of them, of immutable storage with one level.
+class GlTexture {
  public:
-  Texture() = default;
-  Texture(TexelFormat format, int width, int height, Filter filter = Filter::nearest,
+  GlTexture() = default;
+  GlTexture(TexelFormat format, int width, int height, Filter filter = Filter::nearest,
           Wrap wrap = Wrap::clamp);
-  static Texture cube(TexelFormat format, int size);
+  static GlTexture array(TexelFormat format, int width, int height, int layers);
 
   unsigned id() const { return handle_.id(); }
   int width() const { return width_; }
   int height() const { return height_; }
   TexelFormat format() const { return format_; }
-  bool is_cube() const { return cube_; }
+  int layers() const { return layers_; }  ///< 0: not an array
 
   void upload(const Image8& pixels);  ///< RGBA, row 0 on top: v = 1 is the image's top
   void upload(const Image& pixels);   ///< float, as many components as the format has, row 0 on top
@@ -78,12 +78,12 @@ class Texture {
   TexelFormat format_ = TexelFormat::rgba8;
   int width_ = 0;
   int height_ = 0;
-  bool cube_ = false;
+  int layers_ = 0;
 };
 
 /// The first `channels` components as floats, row 0 on top (OpenGL's row 0 is the bottom). Drains the
 /// pipeline.
-Image read_back(const Texture& texture, int channels);
+Image read_back(const GlTexture& texture, int channels);
 
 /// A buffer of bytes, immutable in size.
 class Buffer {
@@ -120,9 +120,9 @@ class VertexArray {
 class Framebuffer {
  public:
   Framebuffer() = default;
-  explicit Framebuffer(std::initializer_list<const Texture*> colors, const Texture* depth = nullptr);
-  /// One face of a cube: depth only, or colour only.
-  static Framebuffer cube_face(const Texture& cube, int face);
+  explicit Framebuffer(std::initializer_list<const GlTexture*> colors, const GlTexture* depth = nullptr);
+  /// One layer of an array, as depth or as colour.
+  static Framebuffer layer(const GlTexture& array, int layer);
 
   unsigned id() const { return handle_.id(); }
   int width() const { return width_; }

@@ -1,0 +1,114 @@
+#include "renderer/gl_program.h"
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include <glm/gtc/type_ptr.hpp>
+#include <regex>
+#include <stdexcept>
+
+#include "renderer/shader_source.h"
+
+namespace lightbench {
+namespace {
+
+// "2:17" (Mesa) or "2(17)" (NVIDIA) at the start of a message becomes the file's name and the line.
+std::string with_file_names(const std::string& log, const std::vector<std::string>& files) {
+  static const std::regex kPlace(R"((^|\n)(?:ERROR: |WARNING: )?(\d+)[:(](\d+)\)?)");
+  std::string result;
+  auto from = log.cbegin();
+  for (std::sregex_iterator it(log.begin(), log.end(), kPlace), end; it != end; ++it) {
+    const std::size_t number = std::stoul((*it)[2]);
+    result.append(from, (*it)[0].first).append((*it)[1]);
+    result += (number < files.size() ? files[number] : (*it)[2].str()) + ":" + (*it)[3].str();
+    from = (*it)[0].second;
+  }
+  return result.append(from, log.cend());
+}
+
+GLuint compile(GLenum stage, const std::string& name, const ShaderDefines& defines) {
+  const NumberedShader source = numbered_shader_source(name);
+  std::string text = "#version 450 core\n";
+  for (const std::string& define : defines) text += "#define " + define + "\n";
+  text += source.text;
+  const char* pointer = text.c_str();
+  const GLuint shader = glCreateShader(stage);
+  glShaderSource(shader, 1, &pointer, nullptr);
+  glCompileShader(shader);
+  GLint ok = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+  if (ok) return shader;
+  GLint length = 0;
+  glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+  std::string log(std::size_t(length), '\0');
+  glGetShaderInfoLog(shader, length, nullptr, log.data());
+  glDeleteShader(shader);
+  throw std::logic_error(fmt::format("shader {} does not compile:\n{}", name, with_file_names(log, source.files)));
+}
+
+void link(GLuint program, const std::string& names) {
+  glLinkProgram(program);
+  GLint ok = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &ok);
+  if (ok) return;
+  GLint length = 0;
+  glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+  std::string log(std::size_t(length), '\0');
+  glGetProgramInfoLog(program, length, nullptr, log.data());
+  throw std::logic_error(fmt::format("{} do not link:\n{}", names, log));
+}
+
+}  // namespace
+
+void delete_program(unsigned id) { glDeleteProgram(id); }
+
+Program::Program(const std::string& vertex, const std::string& fragment, const ShaderDefines& defines)
+    : handle_(glCreateProgram()) {
+  for (const auto& [stage, name] : {std::pair{GL_VERTEX_SHADER, vertex}, {GL_FRAGMENT_SHADER, fragment}}) {
+    const GLuint shader = compile(GLenum(stage), name, defines);
+    glAttachShader(id(), shader);
+    glDeleteShader(shader);  // lives as long as it is attached
+  }
+  link(id(), vertex + " and " + fragment);
+}
+
+void Program::use() const { glUseProgram(id()); }
+
+int Program::location(const char* name) const {
+  const auto found = locations_.find(name);
+  if (found != locations_.end()) return found->second;
+  return locations_.emplace(name, glGetUniformLocation(id(), name)).first->second;
+}
+
+void Program::set(const char* name, bool value) const { glProgramUniform1i(id(), location(name), value ? 1 : 0); }
+void Program::set(const char* name, int value) const { glProgramUniform1i(id(), location(name), value); }
+void Program::set(const char* name, float value) const { glProgramUniform1f(id(), location(name), value); }
+void Program::set(const char* name, const glm::vec2& value) const {
+  glProgramUniform2fv(id(), location(name), 1, glm::value_ptr(value));
+}
+void Program::set(const char* name, const glm::vec3& value) const {
+  glProgramUniform3fv(id(), location(name), 1, glm::value_ptr(value));
+}
+void Program::set(const char* name, const glm::vec4& value) const {
+  glProgramUniform4fv(id(), location(name), 1, glm::value_ptr(value));
+}
+void Program::set(const char* name, const glm::ivec2& value) const {
+  glProgramUniform2iv(id(), location(name), 1, glm::value_ptr(value));
+}
+void Program::set(const char* name, const glm::mat3& value) const {
+  glProgramUniformMatrix3fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+void Program::set(const char* name, const glm::mat4& value) const {
+  glProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+
+const Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
+                                 const ShaderDefines& defines) {
+  std::string key = vertex + "\n" + fragment;
+  for (const std::string& define : defines) key += "\n" + define;
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  return programs_.emplace(key, Program(vertex, fragment, defines)).first->second;
+}
+
+}  // namespace lightbench
