@@ -11,8 +11,8 @@
 
 namespace lightbench {
 
-/// Parameters and presets (physical, paper, direct) of the POV-Ray reference; ParamValues of these rows are what
-/// `PovOptions` is made from.
+/// Parameters and presets (physical, paper, direct) of the POV-Ray reference; ParamValues of these rows are
+/// what `PovOptions` is made from.
 std::span<const ParamSpec> pov_params();
 std::span<const ParamPreset> pov_presets();
 
@@ -38,8 +38,9 @@ struct PovAssets {
 };
 PovAssets pov_assets(const Scene& scene);
 
-/// The scene description of one view, deterministic to the byte. It includes the assets by their names. `aspect` is
-/// width / height. No text from a scene or job file stands in it but for numbers and escaped comments-free names.
+/// The scene description of one view, deterministic to the byte. It includes the assets by their names.
+/// `aspect` is width / height. No text from a scene or job file stands in it but for numbers and escaped
+/// comments-free names.
 std::string pov_view(const Scene& scene, const PovAssets& assets, const Camera& camera, double aspect,
                      const PovOptions& options);
 

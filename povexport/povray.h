@@ -5,38 +5,43 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 #include "base/image.h"
 
 namespace lightbench {
 
-/// The program that POV-Ray references run: $LIGHTBENCH_POVRAY, or povray on the PATH. Throws Error if there is none.
+/// The program that POV-Ray references run: $LIGHTBENCH_POVRAY, or povray on the PATH. Throws Error if there
+/// is none.
 std::filesystem::path find_povray();
 /// What it calls its version, e.g. "3.7.0.10.unofficial". Throws Error when it does not answer.
 std::string povray_version(const std::filesystem::path& program);
 
 struct PovrayRun {
   std::filesystem::path program;
-  std::filesystem::path scene_file;     ///< .pov
-  std::filesystem::path library;        ///< folder of the includes and images that it names
+  std::filesystem::path scene_file;  ///< .pov
+  std::filesystem::path library;     ///< folder of the includes and images that it names
   int width = 1024;
   int height = 768;
-  int samples = 1;                      ///< supersampling per axis, box-filtered in linear light
+  int samples = 1;          ///< supersampling per axis, box-filtered in linear light
+  glm::vec3 background{0};  ///< linear; put behind the image where nothing was hit (Background::color)
   std::chrono::milliseconds timeout{std::chrono::hours(2)};
 };
 
 struct PovrayImage {
-  Image image;          ///< linear RGBA; alpha is coverage by objects
-  double seconds = 0;   ///< wall clock
+  Image image;         ///< linear RGBA; alpha is coverage by objects
+  double seconds = 0;  ///< wall clock
   double cpu_seconds = 0;
-  std::string log;      ///< what POV-Ray said on its error stream
+  std::string log;  ///< what POV-Ray said on its error stream
   std::vector<std::string> arguments;
 };
 
 /// The arguments that decide the image (for cache keys): without paths.
 std::vector<std::string> povray_arguments(const PovrayRun& run);
 
-/// Runs POV-Ray with one thread in a working directory of its own. Throws Error (with the last lines of its error
-/// stream) for a non-zero exit, a signal, the timeout, an exit 0 without an image, and NaN in the image.
+/// Runs POV-Ray with one thread in a working directory of its own. Throws Error (with the last lines of its
+/// error stream) for a non-zero exit, a signal, the timeout, an exit 0 without an image, and NaN in the
+/// image.
 PovrayImage run_povray(const PovrayRun& run);
 
 }  // namespace lightbench

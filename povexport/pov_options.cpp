@@ -1,0 +1,73 @@
+#include "povexport/pov_scene.h"
+
+namespace lightbench {
+
+std::span<const ParamSpec> pov_params() {
+  static const std::vector<ParamSpec> specs = {
+      {"radiosity", ParamType::boolean, true, 0, 0, {}, "gather indirect light"},
+      {"brightness",
+       ParamType::number,
+       1.0,
+       0,
+       100,
+       {},
+       "factor of the gathered light; compounds with each bounce"},
+      {"recursion_limit", ParamType::integer, 2LL, 1, 20, {}, "bounces of indirect light"},
+      {"count", ParamType::integer, 250LL, 1, 1600, {}, "rays of one gathering"},
+      {"error_bound",
+       ParamType::number,
+       0.25,
+       0.001,
+       100,
+       {},
+       "how far gathered values are reused; lower is finer"},
+      {"pretrace_start",
+       ParamType::number,
+       0.08,
+       0.0001,
+       1,
+       {},
+       "block size of the first pretrace, of the width"},
+      {"pretrace_end",
+       ParamType::number,
+       0.01,
+       0.0001,
+       1,
+       {},
+       "block size of the last pretrace, of the width"},
+      {"shadowless", ParamType::boolean, false, 0, 0, {}, "lights cast no shadows"},
+  };
+  return specs;
+}
+
+std::span<const ParamPreset> pov_presets() {
+  static const std::vector<ParamPreset> presets = {
+      {"physical", {}, "two bounces that keep the energy of a path tracer"},
+      {"paper",
+       {{"brightness", 2.4}, {"shadowless", true}},
+       "the image-space-radiosity thesis, listing 9 as printed: no shadows, and too much light from the "
+       "second "
+       "bounce on"},
+      {"direct", {{"radiosity", false}}, "direct light and shadows only"},
+  };
+  return presets;
+}
+
+PovOptions pov_options(const ParamValues& params) {
+  PovOptions options;
+  options.radiosity = params.boolean("radiosity");
+  options.brightness = params.number("brightness");
+  options.recursion_limit = params.integer("recursion_limit");
+  options.count = params.integer("count");
+  options.error_bound = params.number("error_bound");
+  options.pretrace_start = params.number("pretrace_start");
+  options.pretrace_end = params.number("pretrace_end");
+  options.shadowless = params.boolean("shadowless");
+  return options;
+}
+
+int pov_bounces(const PovOptions& options) {
+  return options.radiosity ? options.recursion_limit : 0;
+}
+
+}  // namespace lightbench

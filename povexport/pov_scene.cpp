@@ -1,0 +1,112 @@
+#include "povexport/pov_scene.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "povexport/pov_lights.h"
+#include "povexport/pov_materials.h"
+#include "povexport/pov_mesh.h"
+#include "povexport/pov_writer.h"
+
+namespace lightbench {
+namespace {
+
+constexpr const char* kSceneInclude = "scene.inc";
+
+/// The rows of POV-Ray's matrix are where the axes and the origin go: the columns of ours.
+void write_transform(PovWriter& out, const glm::mat4& m) {
+  if (m == glm::mat4(1)) return;
+  out.words(" matrix<");
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 3; ++row) {
+      if (column + row > 0) out.words(",");
+      out.number(m[column][row]);
+    }
+  out.words(">");
+}
+
+PovWriter scene_include(const Scene& scene, const PovWriter& declarations,
+                        const std::vector<bool>& has_mesh) {
+  PovWriter out;
+  out.words("#declare Clear=texture{pigment{rgbt 1}finish{ambient 0 diffuse 0}}\n");
+  out.append(declarations);
+  for (std::size_t i = 0; i < has_mesh.size(); ++i)
+    if (has_mesh[i])
+      out.words("#declare ")
+          .name("M", int(i) + 1)
+          .words("=\n#include ")
+          .file(pov_file_name("mesh", int(i) + 1, "inc"))
+          .words("\n");
+  for (const Entity& entity : scene.entities) {
+    if (!has_mesh[std::size_t(entity.mesh)]) continue;
+    out.name("object{M", entity.mesh + 1);
+    write_transform(out, entity.transform);
+    out.words("}\n");
+  }
+  return out;
+}
+
+void write_global_settings(PovWriter& out, const PovOptions& options) {
+  out.words("#version 3.7;\nglobal_settings{\nassumed_gamma 1\nmax_trace_level 256\n");
+  if (options.radiosity) {
+    out.words("radiosity{\nbrightness ").number(options.brightness);
+    out.words("\ncount ").integer(options.count);
+    out.words("\nerror_bound ").number(options.error_bound);
+    out.words("\nrecursion_limit ").integer(options.recursion_limit);
+    out.words("\npretrace_start ").number(options.pretrace_start);
+    out.words("\npretrace_end ").number(options.pretrace_end);
+    out.words("\n}\n");
+  }
+  out.words("}\n");
+}
+
+void write_camera(PovWriter& out, const Camera& camera, double aspect) {
+  const CameraFrame frame = camera_frame(camera);
+  const double height = 2 * std::tan(double(camera.fov) / 2);
+  out.words("camera{\nlocation").vector(camera.position);
+  out.words("\ndirection").vector(frame.forward);
+  out.words("\nright").vector(frame.right).words("*").number(height * aspect);
+  out.words("\nup").vector(frame.up).words("*").number(height).words("\n}\n");
+}
+
+}  // namespace
+
+PovAssets pov_assets(const Scene& scene) {
+  if (triangle_count(scene) == 0)
+    throw Error("the scene has no triangles: there is nothing to render", scene.name);
+  PovAssets assets;
+  PovMaterials materials(scene);
+  std::vector<bool> has_mesh(scene.meshes.size());
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    const PovWriter mesh = pov_mesh(scene.meshes[i], materials);
+    has_mesh[i] = !mesh.text().empty();
+    if (has_mesh[i]) assets.includes[pov_file_name("mesh", int(i) + 1, "inc")] = mesh.text();
+  }
+  assets.includes[kSceneInclude] = scene_include(scene, materials.declarations(), has_mesh).text();
+  assets.images = materials.take_images();
+  for (const Light& light : scene.lights)
+    for (const std::string& warning : pov_light_warnings(light)) assets.warnings.push_back(warning);
+  return assets;
+}
+
+std::string pov_view(const Scene& scene, const PovAssets&, const Camera& camera, double aspect,
+                     const PovOptions& options) {
+  PovWriter out;
+  write_global_settings(out, options);
+  // See-through where nothing is hit, so that alpha is the coverage; radiosity still gathers its colour.
+  const glm::vec3 sky = scene.background.lights ? scene.background.color : glm::vec3(0);
+  out.words("background{rgbt<")
+      .number(sky.x)
+      .words(",")
+      .number(sky.y)
+      .words(",")
+      .number(sky.z)
+      .words(",1>}\n");
+  write_camera(out, camera, aspect);
+  const Bounds bounds = world_bounds(scene);
+  for (const Light& light : scene.lights) out.append(pov_light(light, bounds, options.shadowless));
+  out.words("#include ").file(kSceneInclude).words("\n");
+  return out.text();
+}
+
+}  // namespace lightbench
