@@ -1,0 +1,87 @@
+#include "renderer/techniques/images.h"
+
+#include <fmt/format.h>
+
+#include "base/color.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "base/image_io.h"
+#include "base/text.h"
+#include "renderer/frame_context.h"
+
+namespace lightbench {
+namespace {
+
+void check_picture(const Image& picture, const FrameRequest& request, const std::string& file) {
+  if (picture.width != request.width || picture.height != request.height)
+    throw Error(fmt::format("the picture has {}x{} pixels, but {}x{} are wanted", picture.width,
+                            picture.height, request.width, request.height),
+                file);
+  if (const auto bad = first_non_finite(picture); bad >= 0) {
+    const auto pixel = bad / picture.channels;
+    throw Error(
+        fmt::format("pixel ({}, {}) is not a finite number", pixel % picture.width, pixel / picture.width),
+        file);
+  }
+}
+
+Image with_alpha(const Image& picture) {
+  if (picture.channels == 4) return picture;
+  Image result(picture.width, picture.height, 4, 1.0f);
+  for (std::size_t i = 0; i < picture.pixel_count(); ++i)
+    for (std::size_t c = 0; c < 3; ++c) result.data[4 * i + c] = picture.data[3 * i + c];
+  return result;
+}
+
+void render_images(FrameContext& frame, const ParamValues& params) {
+  const FrameRequest& request = frame.request();
+  const std::string text = picture_path(params.text("pattern"), request.scene.name, request.view.name);
+  const auto file = resolve_path(text, std::filesystem::current_path(), "parameter 'pattern'");
+  const Image picture = read_image(file);
+  check_picture(picture, request, file.string());
+  frame.set_image(with_alpha(picture));
+}
+
+}  // namespace
+
+std::string picture_path(std::string_view pattern, std::string_view scene, std::string_view view) {
+  std::string result;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    const bool variable = i > 0 && pattern[i - 1] == '$';  // ${NAME} is for resolve_path
+    if (pattern[i] != '{' || variable) {
+      result += pattern[i];
+      continue;
+    }
+    const std::size_t end = pattern.find('}', i);
+    const std::string word(pattern.substr(i + 1, end == std::string_view::npos ? end : end - i - 1));
+    if (end == std::string_view::npos) throw Error("a '{' without its '}'", "parameter 'pattern'");
+    if (word != "scene" && word != "view")
+      throw Error(fmt::format("only {{scene}} and {{view}} are replaced, not '{{{}}}'{}", word,
+                              did_you_mean(word, {"scene", "view"})),
+                  "parameter 'pattern'");
+    result += escape_file_name(word == "scene" ? scene : view);
+    i = end;
+  }
+  return result;
+}
+
+Technique images_technique() {
+  Technique technique;
+  technique.name = "images";
+  technique.doc = "pictures of another engine, read from files and scored like any other variant";
+  technique.params = {
+      {.name = "pattern",
+       .type = ParamType::text,
+       .default_value = std::string("renders/{scene}/{view}.png"),
+       .doc = "path of a view's picture; {scene} and {view} stand for the names, in which bytes other than "
+              "letters, "
+              "digits, '.', '_' and '-' become %XX; ${LIGHTBENCH_...} is an environment variable; relative "
+              "to the "
+              "working directory. 8- and 16-bit files are taken as sRGB, EXR as linear light"},
+  };
+  technique.needs_gl = false;
+  technique.render = render_images;
+  return technique;
+}
+
+}  // namespace lightbench
