@@ -2,13 +2,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <glm/mat4x4.hpp>
-#include <glm/vec2.hpp>
-#include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 
 #include "base/image.h"
 
@@ -27,13 +28,14 @@ inline constexpr TextureIndex kNoTexture = -1;
 
 struct Material {
   std::string name;
-  glm::vec3 diffuse{0.8f};   ///< Kd; multiplied by the texture and the vertex colour
-  float specular = 0;        ///< mean of Ks
-  float exponent = 1;        ///< Ns, of Phong's R.V
-  glm::vec3 emission{0};     ///< Ke, radiance
-  float reflectance = 1;     ///< radiation mask: scales the indirect light it receives
+  glm::vec3 diffuse{0.8f};                    ///< Kd; multiplied by the texture and the vertex colour
+  float specular = 0;                         ///< mean of Ks
+  float exponent = 1;                         ///< Ns, of Phong's R.V
+  glm::vec3 emission{0};                      ///< Ke, radiance
+  float reflectance = 1;                      ///< radiation mask: scales the indirect light it receives
   TextureIndex diffuse_texture = kNoTexture;  ///< map_Kd, bilinear, repeated
-  TextureIndex cutout_texture = kNoTexture;   ///< map_d: its alpha component counts; below 0.5 nothing is there
+  TextureIndex cutout_texture =
+      kNoTexture;  ///< map_d: its alpha component counts; below 0.5 nothing is there
 };
 
 /// Consecutive triangles of a mesh that share a material.
@@ -50,7 +52,7 @@ struct Mesh {
   std::vector<glm::vec2> uvs;      ///< one per position, or empty; v points up
   std::vector<glm::vec3> colors;   ///< linear, one per position, or empty
   std::vector<glm::uvec3> triangles;
-  std::vector<MeshPart> parts;     ///< cover all triangles, in order
+  std::vector<MeshPart> parts;  ///< cover all triangles, in order
 };
 
 struct Entity {
@@ -77,7 +79,8 @@ float attenuation_factor(const Attenuation& attenuation, float d);
 
 enum class LightKind { point, directional, spot, area };
 
-/// colour * power is the radiance that a white diffuse surface facing the light shows where the attenuation is 1.
+/// colour * power is the radiance that a white diffuse surface facing the light shows where the attenuation
+/// is 1.
 struct Light {
   std::string name;
   LightKind kind = LightKind::point;
@@ -85,10 +88,10 @@ struct Light {
   glm::vec3 direction{0, -1, 0};  ///< unit, the way the light travels; directional, spot
   glm::vec3 color{1};
   float power = 1;
-  Attenuation attenuation;        ///< ignored by directional lights
-  float inner_angle = 0;          ///< spot: half-angle of the full cone
-  float outer_angle = 0;          ///< spot: half-angle where it ends; between them smoothstep in the cosine
-  glm::vec3 edge_u{0};            ///< area: full edges of the quad around `position`
+  Attenuation attenuation;  ///< ignored by directional lights
+  float inner_angle = 0;    ///< spot: half-angle of the full cone
+  float outer_angle = 0;    ///< spot: half-angle where it ends; between them smoothstep in the cosine
+  glm::vec3 edge_u{0};      ///< area: full edges of the quad around `position`
   glm::vec3 edge_v{0};
 };
 
@@ -158,8 +161,8 @@ struct DepthRange {
   float near;
   float far;
 };
-/// The scene's own near and far where given; else far is where the bounds end and near is far / 10^5 or nearer than
-/// anything in front of the camera needs.
+/// The scene's own near and far where given; else far is where the bounds end and near is far / 10^5 or
+/// nearer than anything in front of the camera needs.
 DepthRange depth_range(const Scene& scene, const Camera& camera);
 
 }  // namespace lightbench
