@@ -23,12 +23,12 @@ struct LoadedScene {
   std::vector<Problem> problems;
 };
 
-/// Reads a scene file (.json, jobs/FORMAT.md) or a bare OBJ, which gets the default light. Never throws for what is
-/// wrong inside the files: all of it is listed.
+/// Reads a scene file (.json, jobs/FORMAT.md) or a bare OBJ, which gets the default light. Never throws for
+/// what is wrong inside the files: all of it is listed.
 LoadedScene load_scene_collecting(const std::filesystem::path& file);
 
-/// The same for those who want to render: throws Error for the first problem of severity `error`, and keeps the
-/// warnings in Scene::warnings.
+/// The same for those who want to render: throws Error for the first problem of severity `error`, and keeps
+/// the warnings in Scene::warnings.
 Scene load_scene(const std::filesystem::path& file);
 
 }  // namespace lightbench
