@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "scene/obj_text.h"
+#include "scene/problem_list.h"
+
+namespace lightbench {
+
+/// A material as an MTL file has it.
+struct MtlMaterial {
+  std::string name;
+  std::filesystem::path file;
+  std::size_t line = 0;              ///< of its newmtl
+  glm::vec3 diffuse{0.8f};           ///< Kd; without one 1 under a texture, else 0.8
+  glm::vec3 specular{0};             ///< Ks
+  float exponent = 1;                ///< Ns
+  glm::vec3 emission{0};             ///< Ke
+  TextLine diffuse_map;              ///< map_Kd as written, without its options; empty for none
+  TextLine cutout_map;               ///< map_d
+  std::vector<std::string> unshown;  ///< what lightbench does not show: "map_Bump", "transparency", ...
+};
+
+/// Reads an MTL file. What is wrong is listed with its line. The first of two materials with one name counts.
+std::vector<MtlMaterial> load_mtl(const std::filesystem::path& file, ProblemList& problems);
+
+}  // namespace lightbench

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "scene/obj_text.h"
+#include "scene/problem_list.h"
+
+namespace lightbench {
+
+/// Indices from 0 into the arrays of ObjData; -1 where the file gives none.
+struct ObjCorner {
+  std::int32_t position = -1;
+  std::int32_t uv = -1;
+  std::int32_t normal = -1;
+};
+
+struct ObjFace {
+  std::uint32_t first_corner = 0;
+  std::uint32_t corner_count = 0;  ///< 3 or more
+  std::int32_t material = -1;      ///< into ObjData::materials, or -1 before the first usemtl
+  std::int32_t shape = 0;          ///< into ObjData::shapes
+};
+
+/// An OBJ file's polygons as they stand in it, with all indices in range.
+struct ObjData {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec3> normals;  ///< as given: neither unit nor surely not zero
+  std::vector<glm::vec2> uvs;
+  std::vector<glm::vec3> colors;  ///< of each position, or empty
+  std::vector<ObjCorner> corners;
+  std::vector<ObjFace> faces;
+  std::vector<std::string> shapes;  ///< names of objects and groups, each once
+  std::vector<TextLine> materials;  ///< names in the order of their first use
+  std::vector<TextLine> material_libraries;
+};
+
+/// Reads an OBJ file without its materials. What is wrong is listed with its line, and left out.
+ObjData parse_obj(const std::filesystem::path& file, ProblemList& problems);
+
+}  // namespace lightbench
