@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace lightbench {
+
+/// Cuts a polygon of n >= 3 corners, convex or not, into n - 2 triangles of indices into `polygon` with its
+/// sense of rotation. A convex polygon becomes a fan around its first corner. One that crosses itself gives
+/// some triangles.
+void triangulate(std::span<const glm::vec3> polygon, std::vector<glm::uvec3>& triangles);
+
+}  // namespace lightbench
