@@ -2,9 +2,10 @@
 
 #include <cstdint>
 #include <functional>
-#include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
+
+#include <glm/vec3.hpp>
 
 #include "scene/scene.h"
 
@@ -21,13 +22,13 @@ using ClosestHit = std::function<std::optional<RayHit>(const glm::vec3& origin, 
 struct RandomViewOptions {
   int count = 1;
   std::uint64_t seed = 1;
-  float fov = 1.0472f;   ///< vertical, radians
+  float fov = 1.0472f;  ///< vertical, radians
   float aspect = 4.0f / 3.0f;
 };
 
-/// Draws `count` valid views, named random-SEED-0001 and so on; the same for the same scene and options. A view is
-/// valid when rays say that it is not inside geometry, has something near enough in sight, and is not mostly
-/// background. Throws Error where no valid view is found in a stated number of tries.
+/// Draws `count` valid views, named random-SEED-0001 and so on; the same for the same scene and options. A
+/// view is valid when rays say that it is not inside geometry, has something near enough in sight, and is not
+/// mostly background. Throws Error where no valid view is found in a stated number of tries.
 std::vector<View> draw_random_views(const Scene& scene, const RandomViewOptions& options,
                                     const ClosestHit& closest_hit);
 

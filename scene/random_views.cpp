@@ -1,0 +1,1 @@
+#include "scene/random_views.h"

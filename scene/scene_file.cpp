@@ -1,0 +1,300 @@
+#include "scene/scene_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "scene/box_mesh.h"
+#include "scene/nearest_surface.h"
+#include "scene/obj_loader.h"
+#include "scene/scene_check.h"
+#include "scene/scene_json.h"
+
+namespace lightbench {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kDefaultCreaseAngle = 40;
+
+// Where an OBJ's meshes stand in the scene.
+struct PlacedModel {
+  int first_mesh = 0;
+  int mesh_count = 0;
+};
+
+class SceneLoader {
+ public:
+  LoadedScene load_json(const fs::path& file) {
+    file_ = file;
+    scene_.files.push_back(file);
+    scene_.name = file.stem().string();
+    try {
+      read_scene(JsonValue::parse_file(file));
+    } catch (const Error& error) {
+      problems_.add(error);
+    }
+    return finish();
+  }
+
+  LoadedScene load_bare_obj(const fs::path& file) {
+    file_ = file;
+    scene_.name = file.stem().string();
+    try {
+      add_entities(model(file, kDefaultCreaseAngle), scene_.name, glm::mat4(1));
+    } catch (const Error& error) {
+      problems_.add(error);
+    }
+    Light sun;
+    sun.name = "default";
+    sun.kind = LightKind::directional;
+    sun.direction = glm::normalize(glm::vec3(-0.5f, -1.0f, -0.35f));
+    scene_.lights.push_back(sun);
+    scene_.background.color = glm::vec3(0.3f);
+    problems_.note(
+        "a bare OBJ is lit by a default light: directional, direction (-0.5, -1, -0.35), colour 1, and a "
+        "background "
+        "of 0.3",
+        file.string());
+    return finish();
+  }
+
+ private:
+  void read_scene(const JsonValue& root) {
+    KeyReader keys(root, problems_);
+    keys.optional("name", [&](const JsonValue& v) { scene_.name = v.text(); });
+    keys.required("entities",
+                  [&](const JsonValue& v) { read_list(v, [&](const auto& e) { read_entity(e); }); });
+    keys.optional("materials", [&](const JsonValue& v) { read_overrides(v); });
+    keys.optional("lights", [&](const JsonValue& v) {
+      read_list(v, [&](const auto& e) { scene_.lights.push_back(read_light(e, problems_)); });
+    });
+    keys.optional("background", [&](const JsonValue& v) { read_background(v); });
+    keys.optional("near", [&](const JsonValue& v) { scene_.near = float(v.number(1e-9, 1e15)); });
+    keys.optional("far", [&](const JsonValue& v) {
+      scene_.far = float(v.number(1e-9, 1e15));
+      if (scene_.near && *scene_.near >= *scene_.far) v.fail("far must be larger than near");
+    });
+    keys.optional("credits", [&](const JsonValue& v) {
+      read_list(v, [&](const auto& e) { scene_.credits.push_back(read_credit(e)); });
+    });
+    keys.finish();
+  }
+
+  // Each item's problem is listed, and the next one read.
+  template <typename Read>
+  void read_list(const JsonValue& list, Read read) {
+    for (const JsonValue& item : list.items()) try {
+        read(item);
+      } catch (const Error& error) {
+        problems_.add(error);
+      }
+  }
+
+  void read_background(const JsonValue& value) {
+    KeyReader keys(value, problems_);
+    keys.optional("color", [&](const JsonValue& v) { scene_.background.color = read_color(v); });
+    keys.optional("lights", [&](const JsonValue& v) { scene_.background.lights = v.boolean(); });
+    keys.finish();
+  }
+
+  void read_entity(const JsonValue& value) {
+    const JsonObject object(value);
+    if (object.has("obj") == object.has("box")) return object.fail("an entity needs either 'obj' or 'box'");
+    KeyReader keys(value, problems_);
+    if (object.has("obj"))
+      read_obj_entity(keys);
+    else
+      read_box_entity(keys);
+    keys.finish();
+  }
+
+  void read_obj_entity(KeyReader& keys) {
+    std::string name;
+    glm::mat4 transform(1);
+    glm::mat4 up(1);
+    double crease_angle = kDefaultCreaseAngle;
+    std::optional<PlacedModel> placed;
+    keys.optional("name", [&](const JsonValue& v) { name = v.text(); });
+    keys.optional("up", [&](const JsonValue& v) {
+      if (v.choice({"y", "z"}) == "z") up = rotation_degrees({-90, 0, 0});
+    });
+    keys.optional("crease_angle", [&](const JsonValue& v) { crease_angle = v.number(0, 180); });
+    keys.optional("transform", [&](const JsonValue& v) { transform = read_transform(v); });
+    keys.required("obj", [&](const JsonValue& v) {
+      const fs::path file = resolve_path(v.text(), file_.parent_path(), v.where());
+      if (name.empty()) name = file.stem().string();
+      // An OBJ that is not there is a problem of this key.
+      std::error_code ignored;
+      if (!fs::exists(file, ignored)) v.fail(fmt::format("there is no file '{}'", file.string()));
+      placed = model(file, crease_angle);
+    });
+    keys.optional("size", [&](const JsonValue& v) {
+      if (placed) transform = transform * fit(v, *placed, up);
+    });
+    if (placed) add_entities(*placed, name, transform * up);
+  }
+
+  // Scales the turned model to a box that stands centred on its footprint.
+  glm::mat4 fit(const JsonValue& value, const PlacedModel& placed, const glm::mat4& up) {
+    const glm::vec3 size = read_point(value);
+    if (!(size.x > 0 && size.y > 0 && size.z > 0)) value.fail("a size must be larger than 0");
+    Bounds bounds;
+    for (int i = 0; i < placed.mesh_count; ++i)
+      for (const glm::vec3& p : scene_.meshes[std::size_t(placed.first_mesh + i)].positions)
+        bounds.add(transform_point(up, p));
+    if (bounds.empty()) return glm::mat4(1);
+    glm::vec3 scale(1);
+    for (int k = 0; k < 3; ++k)
+      if (bounds.max[k] > bounds.min[k]) scale[k] = size[k] / (bounds.max[k] - bounds.min[k]);
+    const glm::vec3 center = bounds.center();
+    return glm::translate(glm::scale(glm::mat4(1), scale), -glm::vec3(center.x, bounds.min.y, center.z));
+  }
+
+  void read_box_entity(KeyReader& keys) {
+    std::string name = "box";
+    Bounds box;
+    glm::mat4 transform(1);
+    MaterialPatch patch;
+    keys.optional("name", [&](const JsonValue& v) { name = v.text(); });
+    keys.optional("transform", [&](const JsonValue& v) { transform = read_transform(v); });
+    keys.optional("material", [&](const JsonValue& v) { patch = read_material_patch(v, problems_); });
+    keys.required("box", [&](const JsonValue& v) {
+      JsonObject object = v.object();
+      box.min = read_point(object.at("min"));
+      box.max = read_point(object.at("max"));
+      object.finish();
+      if (!(box.min.x < box.max.x && box.min.y < box.max.y && box.min.z < box.max.z)) {
+        box = Bounds();
+        v.fail("the box is empty: min must be below max in each component");
+      }
+    });
+    if (box.empty()) return;
+    Material& material = scene_.materials.emplace_back();
+    material.name = name;
+    patch.apply(material);
+    scene_.meshes.push_back(box_mesh(name, box, int(scene_.materials.size()) - 1));
+    scene_.entities.push_back({name, int(scene_.meshes.size()) - 1, transform});
+  }
+
+  // The model of an OBJ file, read at its first use.
+  PlacedModel model(const fs::path& file, double crease_angle) {
+    std::error_code error;
+    const fs::path canonical = fs::weakly_canonical(file, error);
+    const auto key = std::pair(error ? file : canonical, crease_angle);
+    if (const auto found = models_.find(key); found != models_.end()) return found->second;
+    ObjModel loaded = load_obj(file, float(glm::radians(crease_angle)), textures_, problems_);
+    const PlacedModel placed{int(scene_.meshes.size()), int(loaded.meshes.size())};
+    const int first_material = int(scene_.materials.size());
+    for (Material& material : loaded.materials) scene_.materials.push_back(std::move(material));
+    for (Mesh& mesh : loaded.meshes) {
+      for (MeshPart& part : mesh.parts) part.material += first_material;
+      scene_.meshes.push_back(std::move(mesh));
+    }
+    std::copy(loaded.unused_materials.begin(), loaded.unused_materials.end(),
+              std::back_inserter(unused_materials_));
+    for (const fs::path& read : loaded.files)
+      if (std::find(scene_.files.begin(), scene_.files.end(), read) == scene_.files.end())
+        scene_.files.push_back(read);
+    models_.emplace(key, placed);
+    return placed;
+  }
+
+  void add_entities(const PlacedModel& placed, const std::string& name, const glm::mat4& transform) {
+    for (int i = placed.first_mesh; i < placed.first_mesh + placed.mesh_count; ++i) {
+      const std::string& part = scene_.meshes[std::size_t(i)].name;
+      const bool alone = placed.mesh_count == 1 || part.empty();
+      scene_.entities.push_back({alone ? name : name + "/" + part, i, transform});
+    }
+  }
+
+  void read_overrides(const JsonValue& value) {
+    JsonObject object = value.object();
+    for (const std::string& name : object.keys()) {
+      const JsonValue patch_value = object.at(name);
+      try {
+        apply_override(name, read_material_patch(patch_value, problems_), patch_value.where());
+      } catch (const Error& error) {
+        problems_.add(error);
+      }
+    }
+  }
+
+  // A name that some material has is that name; else it may be a pattern.
+  void apply_override(const std::string& name, const MaterialPatch& patch, const std::string& where) {
+    const auto has_name = [&](const Material& m) { return m.name == name; };
+    const bool exact = std::any_of(scene_.materials.begin(), scene_.materials.end(), has_name);
+    bool used = false;
+    for (Material& material : scene_.materials) {
+      if (exact ? material.name != name : !matches_glob(material.name, name)) continue;
+      patch.apply(material);
+      used = true;
+    }
+    if (used) return;
+    std::vector<std::string> names = unused_materials_;
+    if (std::any_of(names.begin(), names.end(),
+                    [&](const auto& n) { return matches_glob(n, name) || n == name; }))
+      return problems_.note(fmt::format("no face has the material '{}'", name), where);
+    for (const Material& material : scene_.materials) names.push_back(material.name);
+    if (name.find_first_of("*?[") != name.npos)
+      problems_.warning(fmt::format("no material matches '{}'", name), where);
+    else
+      problems_.error(fmt::format("no model has the material '{}'{}", name, did_you_mean(name, names)),
+                      where);
+  }
+
+  LoadedScene finish() {
+    for (const fs::path& texture : textures_.files()) scene_.files.push_back(texture);
+    scene_.textures = textures_.take_textures();
+    check_scene(scene_, file_, problems_);
+    return {std::move(scene_), problems_.all()};
+  }
+
+  fs::path file_;
+  Scene scene_;
+  ProblemList problems_;
+  TextureLoader textures_{problems_};
+  std::map<std::pair<fs::path, double>, PlacedModel> models_;
+  std::vector<std::string> unused_materials_;
+};
+
+std::string lower_case_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+}  // namespace
+
+LoadedScene load_scene_collecting(const fs::path& file) {
+  const std::string extension = lower_case_extension(file);
+  if (extension == ".obj") return SceneLoader().load_bare_obj(file);
+  if (extension == ".json") return SceneLoader().load_json(file);
+  LoadedScene nothing;
+  nothing.problems.push_back(
+      {Problem::Severity::error, "a scene is a scene file (.json) or a model (.obj)", file.string()});
+  return nothing;
+}
+
+Scene load_scene(const fs::path& file) {
+  LoadedScene loaded = load_scene_collecting(file);
+  for (const Problem& problem : loaded.problems) {
+    if (problem.severity == Problem::Severity::error) throw Error(problem.what, problem.where);
+    if (problem.severity == Problem::Severity::warning)
+      loaded.scene.warnings.push_back(problem.where.empty() ? problem.what
+                                                            : problem.where + ": " + problem.what);
+  }
+  return std::move(loaded.scene);
+}
+
+}  // namespace lightbench

@@ -1,0 +1,263 @@
+#include "scene/scene_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "base/error.h"
+
+namespace lightbench {
+namespace {
+
+constexpr double kLargestCoordinate = 1e15;
+constexpr double kLargestColor = 1e6;
+constexpr double kSmallestPositive = 1e-9;
+
+// A matrix whose volume is below this share of its columns' lengths is flat in 32-bit floats.
+constexpr double kSmallestVolume = 1e-6;
+
+// Beyond this a spotlight's shadow map and POV-Ray's spotlight have no meaning.
+constexpr double kWidestSpot = 89.0;
+
+float positive(const JsonValue& value) {
+  return float(value.number(kSmallestPositive, kLargestCoordinate));
+}
+
+float share_or_factor(const JsonValue& value, double max) {
+  return float(value.number(0, max));
+}
+
+// Exact for multiples of 90 degrees, so that turned boxes stay boxes.
+double cosine_degrees(double degrees) {
+  const double turned = std::fmod(std::abs(degrees), 360.0);
+  if (turned == 90 || turned == 270) return 0;
+  if (turned == 180) return -1;
+  return std::cos(glm::radians(turned));
+}
+double sine_degrees(double degrees) {
+  return cosine_degrees(degrees - 90.0);
+}
+
+// Rotation about axis 0, 1 or 2, right-handed.
+glm::dmat4 rotation(int axis, double degrees) {
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  glm::dmat4 m(1);
+  m[u][u] = m[v][v] = cosine_degrees(degrees);
+  m[u][v] = sine_degrees(degrees);
+  m[v][u] = -m[u][v];
+  return m;
+}
+
+void check_not_singular(const JsonValue& value, const glm::dmat4& m) {
+  const glm::dmat3 linear(m);
+  const double lengths = glm::length(linear[0]) * glm::length(linear[1]) * glm::length(linear[2]);
+  if (!(std::abs(glm::determinant(linear)) > kSmallestVolume * lengths) || !(lengths > 0))
+    value.fail("the transform is singular: it makes the model flat");
+}
+
+glm::dmat4 read_matrix(const JsonValue& value) {
+  const std::vector<double> rows = value.numbers(16);
+  glm::dmat4 m;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) m[column][row] = rows[std::size_t(4 * row + column)];
+  for (const double x : rows)
+    if (std::abs(x) > kLargestCoordinate) value.fail(fmt::format("{} is too large", x));
+  if (rows[12] != 0 || rows[13] != 0 || rows[14] != 0 || rows[15] != 1)
+    value.fail("the last row of the matrix must be 0, 0, 0, 1");
+  return m;
+}
+
+glm::dvec3 read_scale(const JsonValue& value) {
+  return value.is_number() ? glm::dvec3(value.number()) : glm::dvec3(read_point(value));
+}
+
+void read_spot(KeyReader& keys, Light& light) {
+  keys.required("position", [&](const JsonValue& v) { light.position = read_point(v); });
+  if (keys.has("direction") == keys.has("look_at"))
+    keys.fail("a spotlight needs either 'direction' or 'look_at'");
+  keys.optional("direction", [&](const JsonValue& v) { light.direction = read_direction(v); });
+  keys.optional("look_at", [&](const JsonValue& v) {
+    const glm::vec3 direction = read_point(v) - light.position;
+    if (!(glm::length(direction) > 0)) v.fail("the spotlight's look_at is its position");
+    light.direction = glm::normalize(direction);
+  });
+  keys.required("outer", [&](const JsonValue& v) {
+    light.outer_angle = float(glm::radians(v.number(kSmallestPositive, kWidestSpot)));
+  });
+  keys.optional("inner", [&](const JsonValue& v) {
+    light.inner_angle = float(glm::radians(v.number(0, kWidestSpot)));
+    if (light.inner_angle > light.outer_angle) v.fail("the inner angle is larger than the outer one");
+  });
+}
+
+void read_area(KeyReader& keys, Light& light) {
+  keys.required("position", [&](const JsonValue& v) { light.position = read_point(v); });
+  keys.required("edge_u", [&](const JsonValue& v) { light.edge_u = read_point(v); });
+  keys.required("edge_v", [&](const JsonValue& v) {
+    light.edge_v = read_point(v);
+    const float area = glm::length(glm::cross(light.edge_u, light.edge_v));
+    if (!(area > 1e-6f * glm::length(light.edge_u) * glm::length(light.edge_v)))
+      v.fail("the area light has no area: its edges are parallel or zero");
+  });
+}
+
+const std::vector<std::string> kLightTypes{"point", "directional", "spot", "area"};
+
+}  // namespace
+
+glm::vec3 read_point(const JsonValue& value) {
+  const glm::dvec3 p = value.vec3();
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(p[k]) > kLargestCoordinate) value.fail(fmt::format("{} is too large a coordinate", p[k]));
+  return glm::vec3(p);
+}
+
+glm::vec3 read_direction(const JsonValue& value) {
+  const glm::dvec3 d(read_point(value));
+  if (!(glm::length(d) > 0)) value.fail("a direction must not be zero");
+  return glm::vec3(glm::normalize(d));
+}
+
+glm::vec3 read_color(const JsonValue& value) {
+  const glm::dvec3 c = value.vec3();
+  for (int k = 0; k < 3; ++k)
+    if (!(c[k] >= 0 && c[k] <= kLargestColor))
+      value.fail(fmt::format("a colour must lie between 0 and {}, not {}", kLargestColor, c[k]));
+  return glm::vec3(c);
+}
+
+glm::mat4 rotation_degrees(const glm::dvec3& degrees) {
+  return glm::mat4(rotation(2, degrees.z) * rotation(1, degrees.y) * rotation(0, degrees.x));
+}
+
+glm::mat4 read_transform(const JsonValue& value) {
+  JsonObject object = value.object();
+  glm::dmat4 m(1);
+  if (const auto matrix = object.find("matrix")) {
+    if (object.keys().size() > 1)
+      value.fail("'matrix' stands alone: no translate, rotate or scale beside it");
+    m = read_matrix(*matrix);
+  } else {
+    const auto translate = object.find("translate");
+    const auto rotate = object.find("rotate");
+    const auto scale = object.find("scale");
+    object.finish();
+    if (translate) m = glm::translate(m, glm::dvec3(read_point(*translate)));
+    if (rotate) {
+      const glm::dvec3 degrees = rotate->vec3();
+      m = m * rotation(2, degrees.z) * rotation(1, degrees.y) * rotation(0, degrees.x);
+    }
+    if (scale) m = glm::scale(m, read_scale(*scale));
+  }
+  check_not_singular(value, m);
+  return glm::mat4(m);
+}
+
+Attenuation read_attenuation(const JsonValue& value) {
+  JsonObject object = value.object();
+  Attenuation a;
+  const std::string type = object.at("type").choice({"none", "fade", "inverse_square", "radius"});
+  if (type == "fade") {
+    a.kind = Attenuation::Kind::fade;
+    a.distance = positive(object.at("distance"));
+    if (const auto power = object.find("power")) a.power = float(power->number(kSmallestPositive, 100));
+  } else if (type == "inverse_square") {
+    a.kind = Attenuation::Kind::inverse_square;
+  } else if (type == "radius") {
+    a.kind = Attenuation::Kind::radius;
+    a.radius = positive(object.at("radius"));
+  }
+  object.finish();
+  return a;
+}
+
+Credit read_credit(const JsonValue& value) {
+  JsonObject object = value.object();
+  Credit credit;
+  credit.piece = object.at("piece").text();
+  if (const auto creator = object.find("creator")) credit.creator = creator->text();
+  if (const auto license = object.find("license")) credit.license = license->text();
+  object.finish();
+  return credit;
+}
+
+void MaterialPatch::apply(Material& material) const {
+  material.diffuse = diffuse.value_or(material.diffuse);
+  material.specular = specular.value_or(material.specular);
+  material.exponent = exponent.value_or(material.exponent);
+  material.emission = emission.value_or(material.emission);
+  material.reflectance = reflectance.value_or(material.reflectance);
+}
+
+void KeyReader::required(const std::string& key, const std::function<void(const JsonValue&)>& read) {
+  if (!object_.has(key)) fail(fmt::format("the key '{}' is missing", key));
+  optional(key, read);
+}
+
+void KeyReader::optional(const std::string& key, const std::function<void(const JsonValue&)>& read) {
+  try {
+    if (const auto value = object_.find(key)) read(*value);
+  } catch (const Error& error) {
+    problems_.add(error);
+  }
+}
+
+void KeyReader::finish() {
+  // `finish` of the object names the first unknown key. Asking for the keys one after the other lets it name
+  // all.
+  std::string last;
+  for (const std::string& key : object_.keys()) {
+    try {
+      object_.finish();
+      return;
+    } catch (const Error& error) {
+      if (error.message() != last) problems_.add(error);
+      last = error.message();
+    }
+    object_.find(key);
+  }
+}
+
+MaterialPatch read_material_patch(const JsonValue& value, ProblemList& problems) {
+  KeyReader keys(value, problems);
+  MaterialPatch patch;
+  keys.optional("diffuse", [&](const JsonValue& v) { patch.diffuse = read_color(v); });
+  keys.optional("specular", [&](const JsonValue& v) { patch.specular = share_or_factor(v, kLargestColor); });
+  keys.optional("exponent", [&](const JsonValue& v) { patch.exponent = share_or_factor(v, 1e5); });
+  keys.optional("emission", [&](const JsonValue& v) { patch.emission = read_color(v); });
+  keys.optional("reflectance", [&](const JsonValue& v) { patch.reflectance = share_or_factor(v, 1); });
+  keys.finish();
+  return patch;
+}
+
+Light read_light(const JsonValue& value, ProblemList& problems) {
+  KeyReader keys(value, problems);
+  Light light;
+  std::string type;
+  keys.required("type", [&](const JsonValue& v) { type = v.choice(kLightTypes); });
+  if (type.empty()) return light;
+  light.kind = LightKind(std::find(kLightTypes.begin(), kLightTypes.end(), type) - kLightTypes.begin());
+  light.name = type;
+  keys.optional("name", [&](const JsonValue& v) { light.name = v.text(); });
+  keys.optional("color", [&](const JsonValue& v) { light.color = read_color(v); });
+  keys.optional("power", [&](const JsonValue& v) { light.power = share_or_factor(v, kLargestColor); });
+  if (light.kind == LightKind::point)
+    keys.required("position", [&](const JsonValue& v) { light.position = read_point(v); });
+  if (light.kind == LightKind::directional)
+    keys.required("direction", [&](const JsonValue& v) { light.direction = read_direction(v); });
+  if (light.kind == LightKind::spot) read_spot(keys, light);
+  if (light.kind == LightKind::area) read_area(keys, light);
+  if (light.kind != LightKind::directional)
+    keys.optional("attenuation", [&](const JsonValue& v) { light.attenuation = read_attenuation(v); });
+  keys.finish();
+  if (light.power == 0 || light.color == glm::vec3(0))
+    problems.warning(fmt::format("the light '{}' gives no light", light.name), value.where());
+  return light;
+}
+
+}  // namespace lightbench

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+#include "base/json_reader.h"
+#include "scene/problem_list.h"
+#include "scene/scene.h"
+
+/// The values that scene files are made of. All of these throw Error with the JSON path.
+namespace lightbench {
+
+/// Three numbers that 32-bit floats can square: at most 1e15.
+glm::vec3 read_point(const JsonValue& value);
+/// The same, and not zero; returned with length 1.
+glm::vec3 read_direction(const JsonValue& value);
+/// Three numbers of 0 or more.
+glm::vec3 read_color(const JsonValue& value);
+
+/// {"translate", "rotate", "scale"} or {"matrix"}; affine and not singular.
+glm::mat4 read_transform(const JsonValue& value);
+glm::mat4 rotation_degrees(const glm::dvec3& degrees);  ///< about x, then y, then z
+
+Attenuation read_attenuation(const JsonValue& value);
+Credit read_credit(const JsonValue& value);
+
+/// What a material of a scene file says; the rest stays as it was.
+struct MaterialPatch {
+  std::optional<glm::vec3> diffuse;
+  std::optional<float> specular;
+  std::optional<float> exponent;
+  std::optional<glm::vec3> emission;
+  std::optional<float> reflectance;
+
+  void apply(Material& material) const;
+};
+
+/// Reads the keys of an object one by one; a key that is wrong becomes a problem, and the others are still
+/// read.
+class KeyReader {
+ public:
+  KeyReader(const JsonValue& value, ProblemList& problems) : object_(value), problems_(problems) {}
+
+  void required(const std::string& key, const std::function<void(const JsonValue&)>& read);
+  void optional(const std::string& key, const std::function<void(const JsonValue&)>& read);
+  bool has(const std::string& key) const { return object_.has(key); }
+  void fail(const std::string& what) { problems_.error(what, object_.value().where()); }
+  std::string where() const { return object_.value().where(); }
+  /// Every key that was not asked for is a problem.
+  void finish();
+
+ private:
+  JsonObject object_;
+  ProblemList& problems_;
+};
+
+MaterialPatch read_material_patch(const JsonValue& value, ProblemList& problems);
+Light read_light(const JsonValue& value, ProblemList& problems);
+
+}  // namespace lightbench
