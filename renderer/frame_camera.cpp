@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+
 #include <glm/vec4.hpp>
 
 namespace lightbench {
@@ -67,10 +68,10 @@ bool may_be_visible(const Bounds& box, const glm::dmat4& clip_from_box) {
   // One bit for each side of the clip volume that a corner lies beyond.
   unsigned beyond_all = 0x3f;
   for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 c = clip_from_box * glm::dvec4((corner & 1) ? box.max.x : box.min.x,
-                                                    (corner & 2) ? box.max.y : box.min.y,
-                                                    (corner & 4) ? box.max.z : box.min.z, 1.0);
-    const std::array<bool, 6> beyond{c.x < -c.w, c.x > c.w, c.y < -c.w, c.y > c.w, c.z < 0, c.z > c.w};
+    const glm::dvec4 c =
+        clip_from_box * glm::dvec4((corner & 1) ? box.max.x : box.min.x, (corner & 2) ? box.max.y : box.min.y,
+                                   (corner & 4) ? box.max.z : box.min.z, 1.0);
+    const std::array<bool, 6> beyond{c.x<-c.w, c.x> c.w, c.y<-c.w, c.y> c.w, c.z<0, c.z> c.w};
     unsigned bits = 0;
     for (unsigned side = 0; side < beyond.size(); ++side) bits |= unsigned(beyond[side]) << side;
     beyond_all &= bits;

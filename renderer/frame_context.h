@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 namespace lightbench {
 
 class GpuScene;
+struct ShadowTextures;
 
 enum class Blend { replace, add };
 enum class DrawOn {
@@ -22,8 +24,12 @@ enum class DrawOn {
 
 /// What lives longer than a frame: compiled programs, and the scene on the GPU.
 struct GpuState {
+  GpuState();
+  ~GpuState();
+
   ProgramCache programs;
   VertexArray no_vertices;  ///< of full-screen passes
+  std::unique_ptr<ShadowTextures> shadow_textures;
 };
 
 /// What a technique draws one frame with. Sizes are those drawn: the request's times its samples; `Renderer`
@@ -39,6 +45,7 @@ class FrameContext {
   int width() const { return request_.width * request_.samples; }
   int height() const { return request_.height * request_.samples; }
   const GpuScene& gpu_scene() const { return *gpu_scene_; }
+  ShadowTextures& shadow_textures() { return *gpu_->shadow_textures; }
 
   const Program& program(const std::string& vertex, const std::string& fragment,
                          const ShaderDefines& defines = {});
@@ -63,7 +70,7 @@ class FrameContext {
   void keep_buffer(const std::string& name, Image image);  ///< row 0 on top, drawn size
 
   void set_image(const GlTexture& image);  ///< RGBA, linear; alpha is coverage
-  void set_image(Image image);           ///< RGBA; of the drawn size or the request's own
+  void set_image(Image image);             ///< RGBA; of the drawn size or the request's own
   void warn(const std::string& text);
 
   FrameResult& result() { return result_; }
@@ -81,6 +88,9 @@ class FrameContext {
 std::vector<BufferSpec> direct_buffers();
 /// Keeps those of them that are wanted. For "shadow", `direct.visibility` must have been asked for.
 void keep_direct_buffers(FrameContext& frame, const GBuffer& gbuffer, const DirectLight& direct);
+/// The shader files that draw_gbuffer, draw_direct_light and keep_direct_buffers start from, for
+/// Technique::shaders.
+std::vector<std::string> direct_shaders();
 /// The outputs that the wanted buffers need.
 DirectLightOutputs wanted_outputs(const FrameContext& frame);
 

@@ -1,15 +1,18 @@
 #include "renderer/gl_context.h"
 
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-#include <GL/osmesa.h>
-#include <dlfcn.h>
-#include <fmt/format.h>
-#include <glad/gl.h>
-
 #include <array>
 #include <cstring>
 #include <stdexcept>
+
+// glad comes first, or the others bring in the system's OpenGL header.
+// clang-format off
+#include <glad/gl.h>
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <GL/osmesa.h>
+// clang-format on
+#include <dlfcn.h>
+#include <fmt/format.h>
 
 #include "base/error.h"
 
@@ -18,7 +21,8 @@ namespace {
 
 class OsmesaContext : public GlContext {
  public:
-  OsmesaContext() : GlContext("osmesa", [](const char* name) -> Function { return OSMesaGetProcAddress(name); }) {
+  OsmesaContext()
+      : GlContext("osmesa", [](const char* name) -> Function { return OSMesaGetProcAddress(name); }) {
     const std::array<int, 11> attributes{OSMESA_FORMAT,
                                          OSMESA_RGBA,
                                          OSMESA_PROFILE,
@@ -140,7 +144,7 @@ class EglContext : public GlContext {
       return complain("the display cannot be initialised");
     egl_.function<PFNEGLBINDAPIPROC>("eglBindAPI")(EGL_OPENGL_API);
     context_ = egl_.function<PFNEGLCREATECONTEXTPROC>("eglCreateContext")(display, EGL_NO_CONFIG_KHR,
-                                                                        EGL_NO_CONTEXT, attributes.data());
+                                                                          EGL_NO_CONTEXT, attributes.data());
     if (context_ == EGL_NO_CONTEXT) return complain("no context");
     display_ = display;
     make_current_ = egl_.function<PFNEGLMAKECURRENTPROC>("eglMakeCurrent");
@@ -164,7 +168,8 @@ void GlContext::make_current() {
 
 void GlContext::start() {
   make_current();
-  const auto collect = [](GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text, const void* self) {
+  const auto collect = [](GLenum, GLenum type, GLuint, GLenum, GLsizei length, const GLchar* text,
+                          const void* self) {
     if (type != GL_DEBUG_TYPE_ERROR) return;
     auto* context = static_cast<GlContext*>(const_cast<void*>(self));
     const std::lock_guard lock(context->mutex_);

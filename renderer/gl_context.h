@@ -19,7 +19,8 @@ class GlContext {
   /// Makes the context current on this thread and OpenGL's functions those of its library.
   void make_current();
 
-  /// Throws Error where OpenGL ran out of memory and std::logic_error for any other complaint of it since the last call.
+  /// Throws Error where OpenGL ran out of memory and std::logic_error for any other complaint of it since the
+  /// last call.
   void check(const std::string& where);
 
   /// Backend, GL_RENDERER and GL_VERSION.
@@ -43,8 +44,8 @@ class GlContext {
   std::vector<std::string> complaints_;
 };
 
-/// Throws Error when the backend is not there or does not give OpenGL 4.5 core. EGL needs no surface: it takes the first
-/// graphics device that gives a context, then Mesa's surfaceless platform.
+/// Throws Error when the backend is not there or does not give OpenGL 4.5 core. EGL needs no surface: it
+/// takes the first graphics device that gives a context, then Mesa's surfaceless platform.
 std::unique_ptr<GlContext> make_gl_context(GlBackend backend);
 
 /// Throws Error when the last call ran out of memory; `what` says what could not be made.

@@ -1,13 +1,13 @@
 #include "renderer/gl_objects.h"
 
-#include <fmt/format.h>
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <stdexcept>
 #include <vector>
+
+#include <fmt/format.h>
+#include <glad/gl.h>
 
 #include "renderer/gl_context.h"
 
@@ -71,12 +71,22 @@ std::vector<Component> flipped(const BasicImage<Component>& image) {
 
 }  // namespace
 
-int component_count(TexelFormat format) { return row(format).components; }
+int component_count(TexelFormat format) {
+  return row(format).components;
+}
 
-void delete_texture(unsigned id) { glDeleteTextures(1, &id); }
-void delete_buffer(unsigned id) { glDeleteBuffers(1, &id); }
-void delete_vertex_array(unsigned id) { glDeleteVertexArrays(1, &id); }
-void delete_framebuffer(unsigned id) { glDeleteFramebuffers(1, &id); }
+void delete_texture(unsigned id) {
+  glDeleteTextures(1, &id);
+}
+void delete_buffer(unsigned id) {
+  glDeleteBuffers(1, &id);
+}
+void delete_vertex_array(unsigned id) {
+  glDeleteVertexArrays(1, &id);
+}
+void delete_framebuffer(unsigned id) {
+  glDeleteFramebuffers(1, &id);
+}
 
 GlTexture::GlTexture(TexelFormat format, int width, int height, Filter filter, Wrap wrap)
     : format_(format), width_(width), height_(height) {
@@ -116,7 +126,9 @@ void GlTexture::upload(const Image& pixels) {
                       flipped(pixels).data());
 }
 
-void GlTexture::bind(unsigned unit) const { glBindTextureUnit(unit, id()); }
+void GlTexture::bind(unsigned unit) const {
+  glBindTextureUnit(unit, id());
+}
 
 Image read_back(const GlTexture& texture, int channels) {
   assert(channels >= 1 && channels <= component_count(texture.format()) && texture.layers() == 0);
@@ -128,8 +140,9 @@ Image read_back(const GlTexture& texture, int channels) {
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   for (int y = 0; y < image.height; y += strip) {
     const int count = std::min(strip, image.height - y);
-    glGetTextureSubImage(texture.id(), 0, 0, y, 0, image.width, count, 1, transfer_format(texture.format(), channels),
-                         GL_FLOAT, GLsizei(rows.size() * sizeof(float)), rows.data());
+    glGetTextureSubImage(texture.id(), 0, 0, y, 0, image.width, count, 1,
+                         transfer_format(texture.format(), channels), GL_FLOAT,
+                         GLsizei(rows.size() * sizeof(float)), rows.data());
     for (int i = 0; i < count; ++i)
       std::copy_n(rows.begin() + std::ptrdiff_t(row_size * std::size_t(i)), row_size,
                   image.data.begin() + std::ptrdiff_t(row_size * std::size_t(image.height - 1 - y - i)));
@@ -142,7 +155,8 @@ Buffer::Buffer(const void* data, std::size_t bytes) : bytes_(bytes) {
   glCreateBuffers(1, &id);
   handle_ = GlHandle<delete_buffer>(id);
   // A buffer of no bytes is an error in OpenGL, and empty scenes are not.
-  glNamedBufferStorage(id, GLsizeiptr(bytes == 0 ? 4 : bytes), bytes == 0 ? nullptr : data, GL_DYNAMIC_STORAGE_BIT);
+  glNamedBufferStorage(id, GLsizeiptr(bytes == 0 ? 4 : bytes), bytes == 0 ? nullptr : data,
+                       GL_DYNAMIC_STORAGE_BIT);
   throw_if_out_of_memory(fmt::format("a buffer of {} bytes", bytes));
 }
 
@@ -151,8 +165,12 @@ void Buffer::update(const void* data, std::size_t bytes) {
   glNamedBufferSubData(id(), 0, GLsizeiptr(bytes), data);
 }
 
-void Buffer::bind_uniform(unsigned binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, id()); }
-void Buffer::bind_storage(unsigned binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id()); }
+void Buffer::bind_uniform(unsigned binding) const {
+  glBindBufferBase(GL_UNIFORM_BUFFER, binding, id());
+}
+void Buffer::bind_storage(unsigned binding) const {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id());
+}
 
 VertexArray::VertexArray() {
   GLuint id = 0;
@@ -167,7 +185,9 @@ void VertexArray::attribute(unsigned location, const Buffer& buffer, int compone
   glEnableVertexArrayAttrib(id(), location);
 }
 
-void VertexArray::indices(const Buffer& buffer) { glVertexArrayElementBuffer(id(), buffer.id()); }
+void VertexArray::indices(const Buffer& buffer) {
+  glVertexArrayElementBuffer(id(), buffer.id());
+}
 
 namespace {
 

@@ -60,7 +60,7 @@ class GlTexture {
  public:
   GlTexture() = default;
   GlTexture(TexelFormat format, int width, int height, Filter filter = Filter::nearest,
-          Wrap wrap = Wrap::clamp);
+            Wrap wrap = Wrap::clamp);
   static GlTexture array(TexelFormat format, int width, int height, int layers);
 
   unsigned id() const { return handle_.id(); }

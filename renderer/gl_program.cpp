@@ -1,11 +1,11 @@
 #include "renderer/gl_program.h"
 
-#include <fmt/format.h>
-#include <glad/gl.h>
-
-#include <glm/gtc/type_ptr.hpp>
 #include <regex>
 #include <stdexcept>
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/shader_source.h"
 
@@ -43,7 +43,8 @@ GLuint compile(GLenum stage, const std::string& name, const ShaderDefines& defin
   std::string log(std::size_t(length), '\0');
   glGetShaderInfoLog(shader, length, nullptr, log.data());
   glDeleteShader(shader);
-  throw std::logic_error(fmt::format("shader {} does not compile:\n{}", name, with_file_names(log, source.files)));
+  throw std::logic_error(
+      fmt::format("shader {} does not compile:\n{}", name, with_file_names(log, source.files)));
 }
 
 void link(GLuint program, const std::string& names) {
@@ -60,7 +61,9 @@ void link(GLuint program, const std::string& names) {
 
 }  // namespace
 
-void delete_program(unsigned id) { glDeleteProgram(id); }
+void delete_program(unsigned id) {
+  glDeleteProgram(id);
+}
 
 Program::Program(const std::string& vertex, const std::string& fragment, const ShaderDefines& defines)
     : handle_(glCreateProgram()) {
@@ -72,7 +75,9 @@ Program::Program(const std::string& vertex, const std::string& fragment, const S
   link(id(), vertex + " and " + fragment);
 }
 
-void Program::use() const { glUseProgram(id()); }
+void Program::use() const {
+  glUseProgram(id());
+}
 
 int Program::location(const char* name) const {
   const auto found = locations_.find(name);
@@ -80,9 +85,15 @@ int Program::location(const char* name) const {
   return locations_.emplace(name, glGetUniformLocation(id(), name)).first->second;
 }
 
-void Program::set(const char* name, bool value) const { glProgramUniform1i(id(), location(name), value ? 1 : 0); }
-void Program::set(const char* name, int value) const { glProgramUniform1i(id(), location(name), value); }
-void Program::set(const char* name, float value) const { glProgramUniform1f(id(), location(name), value); }
+void Program::set(const char* name, bool value) const {
+  glProgramUniform1i(id(), location(name), value ? 1 : 0);
+}
+void Program::set(const char* name, int value) const {
+  glProgramUniform1i(id(), location(name), value);
+}
+void Program::set(const char* name, float value) const {
+  glProgramUniform1f(id(), location(name), value);
+}
 void Program::set(const char* name, const glm::vec2& value) const {
   glProgramUniform2fv(id(), location(name), 1, glm::value_ptr(value));
 }

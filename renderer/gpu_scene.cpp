@@ -1,11 +1,11 @@
 #include "renderer/gpu_scene.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include <fmt/format.h>
 #include <glad/gl.h>
-
-#include <algorithm>
 #include <glm/gtc/matrix_inverse.hpp>
-#include <numeric>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -37,8 +37,8 @@ Bounds box_of(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
   return box;
 }
 
-void split(const Mesh& mesh, std::span<std::uint32_t> triangles, std::uint32_t max_triangles, std::uint32_t first,
-           std::vector<TriangleCluster>& clusters) {
+void split(const Mesh& mesh, std::span<std::uint32_t> triangles, std::uint32_t max_triangles,
+           std::uint32_t first, std::vector<TriangleCluster>& clusters) {
   if (triangles.size() <= max_triangles) {
     std::sort(triangles.begin(), triangles.end());
     clusters.push_back({box_of(mesh, triangles), first * 3, std::uint32_t(triangles.size()) * 3});
@@ -70,14 +70,16 @@ class Ranges {
       counts_.back() += GLsizei(cluster.index_count);
     } else {
       counts_.push_back(GLsizei(cluster.index_count));
-      starts_.push_back(reinterpret_cast<const void*>(std::uintptr_t{cluster.first_index} * sizeof(std::uint32_t)));
+      starts_.push_back(
+          reinterpret_cast<const void*>(std::uintptr_t{cluster.first_index} * sizeof(std::uint32_t)));
     }
     end_ = cluster.first_index + cluster.index_count;
   }
   bool empty() const { return counts_.empty(); }
   void draw_and_clear() {
     if (!empty())
-      glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, starts_.data(), GLsizei(counts_.size()));
+      glMultiDrawElements(GL_TRIANGLES, counts_.data(), GL_UNSIGNED_INT, starts_.data(),
+                          GLsizei(counts_.size()));
     counts_.clear();
     starts_.clear();
   }
@@ -88,15 +90,16 @@ class Ranges {
   std::uint32_t end_ = 0;
 };
 
-void add_visible(Ranges& ranges, const std::vector<TriangleCluster>& clusters, const glm::dmat4& clip_from_object,
-                 FrustumCulling culling) {
+void add_visible(Ranges& ranges, const std::vector<TriangleCluster>& clusters,
+                 const glm::dmat4& clip_from_object, FrustumCulling culling) {
   for (const TriangleCluster& cluster : clusters)
     if (culling == FrustumCulling::off || may_be_visible(cluster.box, clip_from_object)) ranges.add(cluster);
 }
 
 }  // namespace
 
-std::vector<TriangleCluster> cluster_triangles(const Mesh& mesh, const MeshPart& part, std::uint32_t max_triangles,
+std::vector<TriangleCluster> cluster_triangles(const Mesh& mesh, const MeshPart& part,
+                                               std::uint32_t max_triangles,
                                                std::vector<std::uint32_t>& order) {
   const std::size_t start = order.size();
   order.resize(start + part.triangle_count);
@@ -113,13 +116,16 @@ GpuScene::GpuScene(const Scene& scene) {
   for (const Texture& source : scene.textures) {
     const Image8& pixels = source.pixels;
     if (pixels.width > limit || pixels.height > limit)
-      throw Error(fmt::format("a texture of {} x {} texels; OpenGL takes {} here", pixels.width, pixels.height, limit),
+      throw Error(fmt::format("a texture of {} x {} texels; OpenGL takes {} here", pixels.width,
+                              pixels.height, limit),
                   source.file.string());
-    textures_.emplace_back(TexelFormat::srgb8_alpha8, pixels.width, pixels.height, Filter::linear, Wrap::repeat);
+    textures_.emplace_back(TexelFormat::srgb8_alpha8, pixels.width, pixels.height, Filter::linear,
+                           Wrap::repeat);
     textures_.back().upload(pixels);
   }
   for (const Mesh& mesh : scene.meshes) upload_mesh(scene, mesh);
-  for (const Entity& entity : scene.entities) instances_.push_back({entity.mesh, glm::dmat4(entity.transform)});
+  for (const Entity& entity : scene.entities)
+    instances_.push_back({entity.mesh, glm::dmat4(entity.transform)});
   upload_materials(scene);
   bounds_ = world_bounds(scene);
 }
@@ -155,8 +161,9 @@ void GpuScene::upload_mesh(const Scene& scene, const Mesh& mesh) {
 void GpuScene::upload_materials(const Scene& scene) {
   std::vector<MaterialBlock> blocks;
   for (const Material& m : scene.materials)
-    blocks.push_back({glm::vec4(m.diffuse, m.reflectance), glm::vec4(m.emission, m.specular),
-                      glm::vec4(m.exponent, m.diffuse_texture != kNoTexture, m.cutout_texture != kNoTexture, 0)});
+    blocks.push_back(
+        {glm::vec4(m.diffuse, m.reflectance), glm::vec4(m.emission, m.specular),
+         glm::vec4(m.exponent, m.diffuse_texture != kNoTexture, m.cutout_texture != kNoTexture, 0)});
   materials_ = buffer_of(blocks);
 }
 
@@ -174,7 +181,8 @@ void GpuScene::draw_surfaces(const Program& program, const glm::dmat4& clip_from
     relative_from_object[3] -= glm::dvec4(eye, 0.0);
     program.set("clip_from_object", glm::mat4(clip_from_object));
     program.set("relative_from_object", glm::mat4(relative_from_object));
-    program.set("world_from_normal", glm::mat3(glm::inverseTranspose(glm::dmat3(instance.world_from_object))));
+    program.set("world_from_normal",
+                glm::mat3(glm::inverseTranspose(glm::dmat3(instance.world_from_object))));
     glBindVertexArray(mesh.vertices.id());
     for (const Part& part : mesh.parts) {
       add_visible(ranges, part.clusters, clip_from_object, culling);
@@ -217,7 +225,8 @@ namespace {
 
 template <typename T>
 void add_field(Hasher& hasher, std::string_view name, const std::vector<T>& values) {
-  hasher.field(name, std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)));
+  hasher.field(name,
+               std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)));
 }
 
 template <typename T>

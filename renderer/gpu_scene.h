@@ -11,16 +11,18 @@
 
 namespace lightbench {
 
-/// Triangles of one part of a mesh that lie together; indices [first, first + count) of the mesh's index buffer.
+/// Triangles of one part of a mesh that lie together; indices [first, first + count) of the mesh's index
+/// buffer.
 struct TriangleCluster {
   Bounds box;  ///< in the mesh's space
   std::uint32_t first_index = 0;
   std::uint32_t index_count = 0;
 };
 
-/// Splits a mesh part into clusters of at most `max_triangles` by halving their extent; `order` receives the part's
-/// triangles (indices into mesh.triangles) cluster after cluster, within one in the mesh's order.
-std::vector<TriangleCluster> cluster_triangles(const Mesh& mesh, const MeshPart& part, std::uint32_t max_triangles,
+/// Splits a mesh part into clusters of at most `max_triangles` by halving their extent; `order` receives the
+/// part's triangles (indices into mesh.triangles) cluster after cluster, within one in the mesh's order.
+std::vector<TriangleCluster> cluster_triangles(const Mesh& mesh, const MeshPart& part,
+                                               std::uint32_t max_triangles,
                                                std::vector<std::uint32_t>& order);
 
 /// A scene's geometry, textures and materials on the GPU. Lights and background are not part of it.
@@ -29,10 +31,12 @@ class GpuScene {
   /// Throws Error when a texture is larger than OpenGL allows or memory runs out.
   explicit GpuScene(const Scene& scene);
 
-  /// Draws all surfaces. The program is one of shaders/surface.vert.glsl; positions are given to it relative to `eye`.
+  /// Draws all surfaces. The program is one of shaders/surface.vert.glsl; positions are given to it relative
+  /// to `eye`.
   void draw_surfaces(const Program& program, const glm::dmat4& clip_from_world, const glm::dvec3& eye,
                      FrustumCulling culling) const;
-  /// Draws what casts shadows, without colour: `cutout` draws the parts with a cut-out texture, `solid` the rest.
+  /// Draws what casts shadows, without colour: `cutout` draws the parts with a cut-out texture, `solid` the
+  /// rest.
   void draw_casters(const Program& solid, const Program& cutout, const glm::dmat4& clip_from_world,
                     FrustumCulling culling) const;
 

@@ -18,8 +18,8 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
   ~Renderer();
 
-  /// Throws Error when the technique cannot render the scene (all reasons), an unknown buffer is asked for (names
-  /// the nearest), the size is not possible, or OpenGL is out of memory.
+  /// Throws Error when the technique cannot render the scene (all reasons), an unknown buffer is asked for
+  /// (names the nearest), the size is not possible, or OpenGL is out of memory.
   FrameResult render(const Technique& technique, const ParamValues& params, const FrameRequest& request);
 
   /// Backend, GL_RENDERER and GL_VERSION; makes the context if need be.

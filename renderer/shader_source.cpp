@@ -19,7 +19,8 @@ std::optional<std::string_view> included_path(std::string_view line) {
   if (!line.starts_with(kStart)) return std::nullopt;
   line.remove_prefix(kStart.size());
   const auto end = line.find('"');
-  if (end == std::string_view::npos) throw std::logic_error("an #include without an end: " + std::string(line));
+  if (end == std::string_view::npos)
+    throw std::logic_error("an #include without an end: " + std::string(line));
   return line.substr(0, end);
 }
 
@@ -36,7 +37,8 @@ class Expander {
       const std::string_view line = rest.substr(0, rest.find('\n'));
       rest.remove_prefix(std::min(line.size() + 1, rest.size()));
       if (const auto path = included_path(line)) {
-        if (std::find(result_.files.begin(), result_.files.end(), *path) == result_.files.end()) expand(*path);
+        if (std::find(result_.files.begin(), result_.files.end(), *path) == result_.files.end())
+          expand(*path);
         mark(line_number + 1, number);
       } else {
         result_.text.append(line).append("\n");

@@ -20,8 +20,8 @@ struct FrameRequest {
   const View& view;
   int width = 1024;
   int height = 768;
-  int samples = 1;                 ///< supersampling per axis, box-filtered in linear light
-  std::set<std::string> buffers;   ///< named buffers wanted besides the image
+  int samples = 1;                ///< supersampling per axis, box-filtered in linear light
+  std::set<std::string> buffers;  ///< named buffers wanted besides the image
 };
 
 struct PassTime {
@@ -30,9 +30,9 @@ struct PassTime {
 };
 
 struct FrameResult {
-  Image image;                            ///< linear RGBA; alpha is coverage by objects
+  Image image;  ///< linear RGBA; alpha is coverage by objects
   std::vector<PassTime> passes;
-  std::map<std::string, Image> buffers;   ///< linear, at the frame's size
+  std::map<std::string, Image> buffers;  ///< linear, at the frame's size
   std::vector<std::string> warnings;
 };
 
@@ -48,9 +48,10 @@ struct Technique {
   std::vector<ParamSpec> params;
   std::vector<ParamPreset> presets;
   std::vector<BufferSpec> buffers;
-  int version = 1;                    ///< raised when the same input gives another image
-  std::vector<std::string> shaders;   ///< embedded shader files it starts from; their text is part of cache keys
-  int bounces = 0;                    ///< of indirect light
+  int version = 1;  ///< raised when the same input gives another image
+  std::vector<std::string>
+      shaders;      ///< embedded shader files it starts from; their text is part of cache keys
+  int bounces = 0;  ///< of indirect light
   bool needs_gl = true;
   /// Why it cannot render this scene with these parameters; empty when it can.
   std::vector<std::string> (*unsupported)(const Scene& scene, const ParamValues& params) = nullptr;

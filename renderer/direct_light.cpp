@@ -1,0 +1,199 @@
+#include "renderer/direct_light.h"
+
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <glad/gl.h>
+
+#include "renderer/frame_context.h"
+#include "renderer/gpu_scene.h"
+#include "renderer/shadow_map.h"
+
+namespace lightbench {
+namespace {
+
+struct ShadowModeRow {
+  ShadowMode mode;
+  const char* name;
+  const char* define;
+};
+constexpr std::array kShadowModes{
+    ShadowModeRow{ShadowMode::none, "none", "SHADOW_NONE"},
+    ShadowModeRow{ShadowMode::hard, "hard", "SHADOW_HARD"},
+    ShadowModeRow{ShadowMode::pcf, "pcf", "SHADOW_PCF"},
+    ShadowModeRow{ShadowMode::esm, "esm", "SHADOW_ESM"},
+};
+
+const ShadowModeRow& row(ShadowMode mode) {
+  for (const ShadowModeRow& candidate : kShadowModes)
+    if (candidate.mode == mode) return candidate;
+  throw std::logic_error("a shadow mode without a row in the table");
+}
+
+GlTexture cleared(TexelFormat format, const GBuffer& gbuffer, float value) {
+  GlTexture texture(format, gbuffer.width, gbuffer.height);
+  Framebuffer({&texture}).clear_color(0, value, value, value, 0);
+  return texture;
+}
+
+GlTexture copy_of(const GlTexture& source) {
+  GlTexture copy(source.format(), source.width(), source.height());
+  glCopyImageSubData(source.id(), GL_TEXTURE_2D, 0, 0, 0, 0, copy.id(), GL_TEXTURE_2D, 0, 0, 0, 0,
+                     source.width(), source.height(), 1);
+  return copy;
+}
+
+Framebuffer target_of(const DirectLight& light, const DirectLightOutputs& outputs, const GBuffer& gbuffer) {
+  const GlTexture* depth = &gbuffer.depth_stencil;
+  if (outputs.irradiance && outputs.visibility)
+    return Framebuffer({&light.lit, &light.irradiance, &light.visibility}, depth);
+  if (outputs.irradiance) return Framebuffer({&light.lit, &light.irradiance}, depth);
+  if (outputs.visibility) return Framebuffer({&light.lit, &light.visibility}, depth);
+  return Framebuffer({&light.lit}, depth);
+}
+
+const Program& light_program(FrameContext& frame, const GBuffer& gbuffer, const Light& light, ShadowMode mode,
+                             const DirectLightOutputs& outputs) {
+  ShaderDefines defines = gbuffer_defines(gbuffer);
+  defines.emplace_back(row(mode).define);
+  for (const std::string& define : projection_defines(shadow_projection(light))) defines.push_back(define);
+  if (outputs.irradiance) defines.emplace_back("WITH_IRRADIANCE");
+  if (outputs.visibility) {
+    defines.emplace_back("WITH_VISIBILITY");
+    defines.emplace_back(fmt::format("VISIBILITY_LOCATION {}", outputs.irradiance ? 2 : 1));
+  }
+  return frame.fullscreen_program("shaders/direct.frag.glsl", defines);
+}
+
+void add_light(FrameContext& frame, const GBuffer& gbuffer, const Light& light, const ShadowOptions& shadows,
+               const DirectLightOutputs& outputs, const Framebuffer& target) {
+  LightBlock block = light_block(light, frame.scene().lights.size());
+  const bool shadowed = shadows.mode != ShadowMode::none;
+  if (shadowed)
+    frame.pass("shadow map", [&] {
+      draw_shadow_map(frame, gbuffer, light, shadows, frame.shadow_textures(), block).bind(8);
+    });
+  frame.pass("direct", [&] {
+    const Buffer buffer(&block, sizeof block);
+    buffer.bind_uniform(1);
+    gbuffer.bind();
+    const Program& program = light_program(frame, gbuffer, light, shadows.mode, outputs);
+    program.set("shadow_bias", shadows.bias);
+    program.set("esm_sharpness", shadows.esm_sharpness);
+    program.set("pcf_radius", shadows.pcf_radius);
+    frame.draw_fullscreen(target, program, Blend::add, DrawOn::objects);
+  });
+}
+
+}  // namespace
+
+std::vector<ParamSpec> shadow_params() {
+  const ShadowOptions defaults;
+  std::vector<std::string> modes;
+  for (const ShadowModeRow& mode : kShadowModes) modes.emplace_back(mode.name);
+  const auto texels = [](int value) { return ParamValue(static_cast<long long>(value)); };
+  return {
+      {"shadows", ParamType::choice, std::string(row(defaults.mode).name), 0, 0, modes,
+       "how shadows of direct light are made: not at all, hard, with percentage-closer filtering, or with "
+       "exponential "
+       "shadow maps"},
+      {"shadow_size",
+       ParamType::integer,
+       texels(defaults.point_size),
+       16,
+       16384,
+       {},
+       "texels along an edge of a point or spot light's shadow map (hard, pcf)"},
+      {"directional_shadow_size",
+       ParamType::integer,
+       texels(defaults.directional_size),
+       16,
+       16384,
+       {},
+       "texels along an edge of a directional light's shadow map (hard, pcf)"},
+      {"shadow_bias",
+       ParamType::number,
+       double{defaults.bias},
+       0,
+       100,
+       {},
+       "how much nearer to the light an occluder has to be than the receiver's plane, in texels (hard, pcf)"},
+      {"pcf_radius",
+       ParamType::integer,
+       texels(defaults.pcf_radius),
+       0,
+       16,
+       {},
+       "texels to each side that percentage-closer filtering compares with"},
+      {"esm_size",
+       ParamType::integer,
+       texels(defaults.esm_size),
+       16,
+       16384,
+       {},
+       "texels along an edge of an exponential shadow map"},
+      {"esm_sharpness",
+       ParamType::number,
+       double{defaults.esm_sharpness},
+       1,
+       1000,
+       {},
+       "constant c of exponential shadow maps: visibility exp(-c (r - o))"},
+      {"esm_blur_radius",
+       ParamType::integer,
+       texels(defaults.esm_blur_radius),
+       0,
+       32,
+       {},
+       "texels to each side of the Gaussian that blurs exponential shadow maps"},
+  };
+}
+
+ShadowOptions shadow_options(const ParamValues& params) {
+  ShadowOptions options;
+  for (const ShadowModeRow& mode : kShadowModes)
+    if (params.text("shadows") == mode.name) options.mode = mode.mode;
+  options.point_size = params.integer("shadow_size");
+  options.directional_size = params.integer("directional_shadow_size");
+  options.bias = float(params.number("shadow_bias"));
+  options.pcf_radius = params.integer("pcf_radius");
+  options.esm_size = params.integer("esm_size");
+  options.esm_sharpness = float(params.number("esm_sharpness"));
+  options.esm_blur_radius = params.integer("esm_blur_radius");
+  return options;
+}
+
+std::vector<std::string> direct_light_unsupported(const Scene& scene, const ParamValues&) {
+  std::vector<std::string> reasons;
+  for (const Light& light : scene.lights)
+    if (light.kind == LightKind::area)
+      reasons.push_back(
+          fmt::format("light '{}' is an area light, which direct lighting does not draw", light.name));
+  return reasons;
+}
+
+DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const ShadowOptions& shadows,
+                              const DirectLightOutputs& outputs) {
+  DirectLight result;
+  result.lit = copy_of(gbuffer.emission);
+  if (outputs.irradiance) result.irradiance = cleared(TexelFormat::rgba32f, gbuffer, 0);
+  if (outputs.visibility) result.visibility = cleared(TexelFormat::r32f, gbuffer, 1);
+  const Framebuffer target = target_of(result, outputs, gbuffer);
+  for (const Light& light : frame.scene().lights) add_light(frame, gbuffer, light, shadows, outputs, target);
+  return result;
+}
+
+glm::vec3 mean_irradiance(const GBuffer& gbuffer, const GlTexture& irradiance) {
+  const Image depths = read_back(gbuffer.depth, 1);
+  const Image values = read_back(irradiance, 3);
+  glm::dvec3 sum(0.0);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < depths.data.size(); ++i) {
+    if (depths.data[i] <= 0) continue;
+    sum += glm::dvec3(values.data[3 * i], values.data[3 * i + 1], values.data[3 * i + 2]);
+    ++count;
+  }
+  return count == 0 ? glm::vec3(0) : glm::vec3(sum / double(count));
+}
+
+}  // namespace lightbench

@@ -1,0 +1,107 @@
+#include "renderer/gbuffer.h"
+
+#include <glad/gl.h>
+#include <glm/vec4.hpp>
+
+#include "renderer/frame_context.h"
+#include "renderer/gpu_scene.h"
+
+namespace lightbench {
+namespace {
+
+// The block Frame of shaders/frame.glsl, std140.
+struct FrameBlock {
+  glm::vec4 camera_position;
+  glm::vec4 far_corner;
+  glm::vec4 far_u;
+  glm::vec4 far_v;
+  glm::vec4 camera_forward;
+  glm::vec4 frame_size;
+  glm::vec4 half_angles;
+  glm::mat4 clip_from_world;
+};
+static_assert(sizeof(FrameBlock) == 7 * 16 + 64);
+
+Buffer camera_block(const FrameCamera& camera, int width, int height) {
+  const glm::vec2 size(width, height);
+  const FrameBlock block{
+      glm::vec4(camera.position, camera.far),
+      glm::vec4(camera.far_corner, 0),
+      glm::vec4(camera.far_u, 0),
+      glm::vec4(camera.far_v, 0),
+      glm::vec4(camera.frame.forward, camera.near),
+      glm::vec4(size, 1.0f / size),
+      glm::vec4(camera.tan_half_x, camera.tan_half_y, 2 * camera.tan_half_y / size.y, 0),
+      glm::mat4(camera.clip_from_world),
+  };
+  return Buffer(&block, sizeof block);
+}
+
+GBuffer make_gbuffer(const FrameCamera& camera, int width, int height, NormalFormat normals) {
+  GBuffer g;
+  g.camera = camera;
+  g.width = width;
+  g.height = height;
+  g.normal_format = normals;
+  g.albedo = GlTexture(TexelFormat::rgba16f, width, height);
+  g.normal = GlTexture(normals == NormalFormat::rgb8 ? TexelFormat::rgba8 : TexelFormat::rg16, width, height);
+  g.geometric_normal = GlTexture(TexelFormat::rg16, width, height);
+  g.depth = GlTexture(TexelFormat::r32f, width, height);
+  g.specular = GlTexture(TexelFormat::rg16f, width, height);
+  g.emission = GlTexture(TexelFormat::rgba32f, width, height);
+  g.depth_stencil = GlTexture(TexelFormat::depth32f_stencil8, width, height);
+  g.camera_block = camera_block(camera, width, height);
+  return g;
+}
+
+void clear(const Framebuffer& target, const glm::vec3& background) {
+  for (int attachment = 0; attachment < 5; ++attachment) target.clear_color(attachment, 0, 0, 0, 0);
+  target.clear_color(5, background.r, background.g, background.b, 0);
+  target.clear_depth_stencil(0, 0);
+}
+
+// Nearer (greater in reversed depth) surfaces win and mark their pixels in the stencil.
+void set_surface_state() {
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_GREATER);
+  glEnable(GL_STENCIL_TEST);
+  glStencilMask(0xff);
+  glStencilFunc(GL_ALWAYS, 1, 0xff);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+}
+
+}  // namespace
+
+void GBuffer::bind() const {
+  unsigned unit = 0;
+  for (const GlTexture* texture : {&albedo, &normal, &depth, &specular, &geometric_normal, &emission})
+    texture->bind(unit++);
+  camera_block.bind_uniform(0);
+}
+
+std::vector<std::string> gbuffer_defines(const GBuffer& gbuffer) {
+  if (gbuffer.normal_format == NormalFormat::rgb8) return {"NORMALS_RGB8"};
+  return {};
+}
+
+GBuffer draw_gbuffer(FrameContext& frame, const FrameCamera& camera, int width, int height,
+                     const GBufferOptions& options) {
+  GBuffer g = make_gbuffer(camera, width, height, options.normals);
+  const Framebuffer target({&g.albedo, &g.normal, &g.depth, &g.specular, &g.geometric_normal, &g.emission},
+                           &g.depth_stencil);
+  const Program& program =
+      frame.program("shaders/surface.vert.glsl", "shaders/surface.frag.glsl", gbuffer_defines(g));
+  target.bind();
+  clear(target, frame.scene().background.color);
+  set_surface_state();
+  g.camera_block.bind_uniform(0);
+  frame.gpu_scene().draw_surfaces(program, camera.clip_from_world, glm::dvec3(camera.position),
+                                  options.culling);
+  return g;
+}
+
+}  // namespace lightbench

@@ -1,0 +1,32 @@
+// What of each shadow view is seen by the camera: the smallest and largest coordinates over a block of pixels.
+#include "shaders/gbuffer.glsl"
+#include "shaders/light.glsl"
+
+layout(location = 0) out vec4 bounds[6];  // smallest x and y, largest x and y; empty where the smallest is larger
+
+uniform int block_size;
+
+void main() {
+  ivec2 first = ivec2(gl_FragCoord.xy) * block_size;
+  ivec2 last = min(first + block_size, ivec2(frame_size.xy));
+  vec2 smallest[6];
+  vec2 largest[6];
+  for (int i = 0; i < 6; ++i) {
+    smallest[i] = vec2(1e30);
+    largest[i] = vec2(-1e30);
+  }
+  for (int y = first.y; y < last.y; ++y)
+    for (int x = first.x; x < last.x; ++x) {
+      float z = gbuffer_z(ivec2(x, y));
+      if (z <= 0.0) continue;
+      vec3 d = world_position((vec2(x, y) + 0.5) * frame_size.zw, z) - shadow_origin.xyz;
+      int view = shadow_view_of(d);
+      vec3 q = to_shadow_view(view, d);
+#ifndef SHADOW_ORTHOGRAPHIC
+      if (q.z <= 0.0) continue;
+#endif
+      smallest[view] = min(smallest[view], q.xy);
+      largest[view] = max(largest[view], q.xy);
+    }
+  for (int i = 0; i < 6; ++i) bounds[i] = vec4(smallest[i], largest[i]);
+}

@@ -1,0 +1,58 @@
+#include "shaders/frame.glsl"
+#include "shaders/octahedral.glsl"
+#include "shaders/cutout.glsl"
+
+layout(location = 0) in vec3 relative_position;
+layout(location = 1) in vec3 world_normal;
+layout(location = 2) in vec2 surface_uv;
+layout(location = 3) in vec3 surface_color;
+
+layout(location = 0) out vec4 albedo;
+layout(location = 1) out vec4 normal;
+layout(location = 2) out float depth;
+layout(location = 3) out vec2 specular;
+layout(location = 4) out vec2 geometric_normal;
+layout(location = 5) out vec4 emission;
+
+layout(binding = 0) uniform sampler2D diffuse_texture;
+
+struct Material {
+  vec4 diffuse_reflectance;
+  vec4 emission_specular;
+  vec4 exponent_textures;  // exponent, has a diffuse texture, has a cut-out texture, unused
+};
+layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
+uniform int material_index;
+
+// A normal that faces away from the viewer is turned over; without a direction, the other one stands in.
+vec3 towards_viewer(vec3 n, vec3 otherwise) {
+  float size = length(n);
+  n = size > 0.0 ? n / size : otherwise;
+  return dot(n, relative_position) > 0.0 ? -n : n;
+}
+
+vec4 encoded_normal(vec3 n) {
+#ifdef NORMALS_RGB8
+  return vec4(n * 0.5 + 0.5, 1.0);
+#else
+  return vec4(encode_octahedral(n), 0.0, 1.0);
+#endif
+}
+
+void main() {
+  Material material = materials[material_index];
+  // Derivatives and texture lookups first: they need all pixels of a block to take part.
+  vec3 face_normal = cross(dFdx(relative_position), dFdy(relative_position));
+  vec3 diffuse = material.diffuse_reflectance.rgb * surface_color;
+  if (material.exponent_textures.y != 0.0) diffuse *= texture(diffuse_texture, surface_uv).rgb;
+  if (material.exponent_textures.z != 0.0 && is_cut_out(surface_uv)) discard;
+
+  vec3 viewer = -normalize(relative_position);
+  face_normal = towards_viewer(face_normal, viewer);
+  albedo = vec4(diffuse, material.diffuse_reflectance.a);
+  normal = encoded_normal(towards_viewer(world_normal, face_normal));
+  geometric_normal = encode_octahedral(face_normal);
+  depth = dot(relative_position, camera_forward.xyz) / camera_position.w;
+  specular = vec2(material.emission_specular.a, material.exponent_textures.x);
+  emission = vec4(material.emission_specular.rgb, 1.0);
+}

@@ -1,0 +1,139 @@
+#include "renderer/shadow_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glad/gl.h>
+
+#include "renderer/frame_context.h"
+#include "renderer/gpu_scene.h"
+
+namespace lightbench {
+namespace {
+
+// Pixels along the edge of the blocks that are measured by one invocation.
+constexpr int kMeasuredBlock = 32;
+
+using Extents = std::array<ViewExtent, 6>;
+
+// What the camera sees of each view: measured in blocks on the GPU, gathered here.
+Extents seen_extents(FrameContext& frame, const GBuffer& gbuffer, ShadowProjection projection) {
+  const int width = (gbuffer.width + kMeasuredBlock - 1) / kMeasuredBlock;
+  const int height = (gbuffer.height + kMeasuredBlock - 1) / kMeasuredBlock;
+  std::array<GlTexture, 6> blocks;
+  for (GlTexture& texture : blocks) texture = GlTexture(TexelFormat::rgba32f, width, height);
+  const Framebuffer target({&blocks[0], &blocks[1], &blocks[2], &blocks[3], &blocks[4], &blocks[5]});
+  const Program& program =
+      frame.fullscreen_program("shaders/shadow_bounds.frag.glsl", projection_defines(projection));
+  program.set("block_size", kMeasuredBlock);
+  frame.draw_fullscreen(target, program);
+  Extents extents;
+  for (int view = 0; view < view_count(projection); ++view) {
+    const Image values = read_back(blocks[std::size_t(view)], 4);
+    ViewExtent& extent = extents[std::size_t(view)];
+    for (std::size_t i = 0; i < values.data.size(); i += 4) {
+      extent.min = glm::min(extent.min, glm::vec2(values.data[i], values.data[i + 1]));
+      extent.max = glm::max(extent.max, glm::vec2(values.data[i + 2], values.data[i + 3]));
+    }
+  }
+  return extents;
+}
+
+// Outside its cone a spot lights nothing.
+void clip_to_cone(ViewExtent& extent, const Light& light) {
+  const float reach = std::tan(light.outer_angle);
+  extent.min = glm::max(extent.min, glm::vec2(-reach));
+  extent.max = glm::min(extent.max, glm::vec2(reach));
+}
+
+int map_size(const ShadowOptions& options, ShadowProjection projection) {
+  if (options.mode == ShadowMode::esm) return options.esm_size;
+  return projection == ShadowProjection::orthographic ? options.directional_size : options.point_size;
+}
+
+int map_margin(const ShadowOptions& options) {
+  if (options.mode == ShadowMode::esm) return options.esm_blur_radius + 2;
+  return options.mode == ShadowMode::pcf ? options.pcf_radius + 2 : 2;
+}
+
+void require(GlTexture& texture, TexelFormat format, int size, int layers) {
+  if (texture.width() == size && texture.layers() == layers) return;
+  texture = GlTexture();  // its memory first
+  texture = layers > 0 ? GlTexture::array(format, size, size, layers) : GlTexture(format, size, size);
+}
+
+void set_caster_state() {
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_SCISSOR_TEST);
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_GREATER);
+}
+
+void draw_depths(FrameContext& frame, const LightBlock& block, int view, ShadowProjection projection,
+                 const Framebuffer& target) {
+  const Program& solid = frame.program("shaders/caster.vert.glsl", "shaders/caster.frag.glsl");
+  const Program& cutout = frame.program("shaders/caster.vert.glsl", "shaders/caster.frag.glsl", {"CUTOUT"});
+  target.bind();
+  target.clear_depth(0);
+  set_caster_state();
+  frame.gpu_scene().draw_casters(solid, cutout, shadow_clip_matrix(block, view, projection),
+                                 FrustumCulling::on);
+}
+
+void blur_in_log_space(FrameContext& frame, const ShadowOptions& options, ShadowProjection projection,
+                       int view, ShadowTextures& textures) {
+  const Framebuffer linear({&textures.work[0]}), half_blurred({&textures.work[1]});
+  const Framebuffer blurred = Framebuffer::layer(textures.blurred, view);
+  const Program& depth =
+      frame.fullscreen_program("shaders/esm_depth.frag.glsl", projection_defines(projection));
+  const Program& blur = frame.fullscreen_program("shaders/esm_blur.frag.glsl");
+  depth.set("view", view);
+  textures.depths.bind(8);
+  frame.draw_fullscreen(linear, depth);
+  blur.set("radius", options.esm_blur_radius);
+  blur.set("esm_sharpness", options.esm_sharpness);
+  blur.set("direction", glm::ivec2(1, 0));
+  textures.work[0].bind(9);
+  frame.draw_fullscreen(half_blurred, blur);
+  blur.set("direction", glm::ivec2(0, 1));
+  textures.work[1].bind(9);
+  frame.draw_fullscreen(blurred, blur);
+}
+
+}  // namespace
+
+const GlTexture& draw_shadow_map(FrameContext& frame, const GBuffer& gbuffer, const Light& light,
+                                 const ShadowOptions& options, ShadowTextures& textures, LightBlock& block) {
+  const ShadowProjection projection = shadow_projection(light);
+  const int views = view_count(projection);
+  const int size = map_size(options, projection);
+  const bool exponential = options.mode == ShadowMode::esm;
+  place_shadow_views(block, light, frame.gpu_scene().bounds());
+  block.shadow_extent.x = float(size);
+  block.shadow_extent.y = 1.0f / float(size);
+  const Buffer unfitted(&block, sizeof block);
+  unfitted.bind_uniform(1);
+  gbuffer.bind();
+  Extents extents = seen_extents(frame, gbuffer, projection);
+  if (projection == ShadowProjection::perspective) clip_to_cone(extents[0], light);
+  for (int view = 0; view < views; ++view)
+    fit_view(block.views[std::size_t(view)], extents[std::size_t(view)], size, map_margin(options));
+  const Buffer fitted(&block, sizeof block);
+  fitted.bind_uniform(1);
+  require(textures.depths, TexelFormat::depth32f, size, views);
+  if (exponential) {
+    require(textures.blurred, TexelFormat::r32f, size, views);
+    for (GlTexture& work : textures.work) require(work, TexelFormat::r32f, size, 0);
+  }
+  for (int view = 0; view < views; ++view) {
+    if (extents[std::size_t(view)].empty()) continue;
+    draw_depths(frame, block, view, projection, Framebuffer::layer(textures.depths, view));
+    if (exponential) blur_in_log_space(frame, options, projection, view, textures);
+  }
+  return exponential ? textures.blurred : textures.depths;
+}
+
+}  // namespace lightbench

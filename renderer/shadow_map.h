@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "renderer/direct_light.h"
+#include "renderer/gl_objects.h"
+#include "renderer/gl_program.h"
+
+namespace lightbench {
+
+/// The block Light of shaders/light.glsl, std140. Shadow views are the six faces of a cube around a point
+/// light, the one perspective view of a narrow spot, or the one orthographic view of a directional light.
+/// Each is fitted to what the camera sees of it, so that no texels are spent elsewhere.
+struct LightBlock {
+  struct View {
+    glm::vec4 right;
+    glm::vec4 up;
+    glm::vec4 forward;
+  };
+  glm::vec4 position;
+  glm::vec4 direction;
+  glm::vec4 color;
+  glm::vec4 attenuation;
+  glm::vec4 cone;
+  glm::vec4 shadow_origin;
+  glm::vec4 shadow_extent;
+  std::array<View, 6> views;
+};
+static_assert(sizeof(LightBlock) == (7 + 18) * 16);
+
+enum class ShadowProjection { cube, perspective, orthographic };
+ShadowProjection shadow_projection(const Light& light);
+int view_count(ShadowProjection projection);
+/// What shaders that include light.glsl are compiled with.
+ShaderDefines projection_defines(ShadowProjection projection);
+
+/// The light's part of the block; `light_count` is what mean visibility is divided by.
+LightBlock light_block(const Light& light, std::size_t light_count);
+/// Sets origin, depth range and views, which are not fitted yet.
+void place_shadow_views(LightBlock& block, const Light& light, const Bounds& casters);
+
+/// Smallest and largest coordinates seen across a view; empty where nothing is seen.
+struct ViewExtent {
+  glm::vec2 min{1e30f};
+  glm::vec2 max{-1e30f};
+  bool empty() const { return min.x > max.x || min.y > max.y; }
+};
+/// Narrows a view to an extent, with a margin of some of its `size` texels around it.
+void fit_view(LightBlock::View& view, const ViewExtent& extent, int size, int margin);
+
+/// From world space to the clip space of a view, of reversed depth: 1 nearest to the light.
+glm::dmat4 shadow_clip_matrix(const LightBlock& block, int view, ShadowProjection projection);
+
+/// Maps and working space that are kept from frame to frame, since making them costs as much as drawing them.
+struct ShadowTextures {
+  GlTexture depths;   ///< array of depth32f
+  GlTexture blurred;  ///< array of r32f, of exponential maps
+  std::array<GlTexture, 2> work;
+};
+
+/// Draws the shadow map of a light as the G-buffer's camera needs it, and completes the block.
+/// Returns the texture that shaders/shadow.glsl reads.
+const GlTexture& draw_shadow_map(FrameContext& frame, const GBuffer& gbuffer, const Light& light,
+                                 const ShadowOptions& options, ShadowTextures& textures, LightBlock& block);
+
+}  // namespace lightbench

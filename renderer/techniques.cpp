@@ -1,0 +1,40 @@
+#include <array>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/text.h"
+#include "renderer/shader_source.h"
+#include "renderer/technique.h"
+#include "renderer/techniques/ambient.h"
+#include "renderer/techniques/direct.h"
+
+namespace lightbench {
+
+std::span<const Technique> techniques() {
+  static const std::array table{
+      direct_technique(),
+      ambient_technique(),
+  };
+  return table;
+}
+
+const Technique& find_technique(const std::string& name, const std::string& where) {
+  std::vector<std::string> names;
+  for (const Technique& technique : techniques()) {
+    if (technique.name == name) return technique;
+    names.push_back(technique.name);
+  }
+  throw Error("no technique is named '" + name + "'" + did_you_mean(name, names) +
+                  "; there are: " + join(names, ", "),
+              where);
+}
+
+std::string technique_fingerprint(const Technique& technique) {
+  Hasher hasher;
+  hasher.field("name", technique.name);
+  hasher.field("version", std::int64_t{technique.version});
+  for (const std::string& shader : technique.shaders) hasher.field(shader, shader_source(shader));
+  return hasher.digest();
+}
+
+}  // namespace lightbench
