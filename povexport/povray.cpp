@@ -140,6 +140,8 @@ PovrayImage run_povray(const PovrayRun& run) {
   const ProcessResult result = run_process(process_of(run, folder.path()));
   const std::string log = result.err + result.out;
   if (!result.ok()) fail(result.describe(), run, log);
+  if (log.find("No objects in scene") != std::string::npos)
+    fail("found no objects: the scene is empty", run, "");
   Image image = read_result(folder.path() / kImageName, run, log);
   put_over_background(image, run.background);
 

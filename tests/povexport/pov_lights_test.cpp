@@ -1,0 +1,119 @@
+#include "povexport/pov_lights.h"
+
+#include <cmath>
+
+#include <glm/trigonometric.hpp>
+#include <gmock/gmock.h>
+
+#include "pov_test_scenes.h"
+
+namespace lightbench {
+namespace {
+
+constexpr int kSize = 33;  // odd: one pixel looks straight at the origin
+
+/// The value of a white wall at z = 0 under one light; pixel (x, y) sees the point `wall_point(x, y)`.
+Image lit_wall(const Light& light) {
+  Scene scene = scene_of(facing_square());
+  scene.lights = {light};
+  return render(scene, facing_camera(), direct_options(), kSize, kSize);
+}
+
+glm::vec3 wall_point(int x, int y) {
+  return {2 * (float(x) + 0.5f) / kSize - 1, 1 - 2 * (float(y) + 0.5f) / kSize, 0};
+}
+
+Light point_light(const Attenuation& attenuation) {
+  Light light;
+  light.position = {0.3f, -0.2f, 0.8f};
+  light.color = {1, 0.5f, 0.25f};
+  light.power = 1.5f;
+  light.attenuation = attenuation;
+  return light;
+}
+
+float lambert(const Light& light, const glm::vec3& point) {
+  return std::max(glm::normalize(light.position - point).z, 0.0f);
+}
+
+class PovrayAttenuation : public testing::TestWithParam<Attenuation> {};
+
+TEST_P(PovrayAttenuation, IsThatOfTheLightingModel) {
+  const Light light = point_light(GetParam());
+  const Image image = lit_wall(light);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const glm::vec3 p = wall_point(x, y);
+      const float wanted =
+          1.5f * lambert(light, p) * attenuation_factor(GetParam(), glm::length(light.position - p));
+      ASSERT_NEAR(image.pixel(x, y)[0], wanted, kHalfError * std::max(wanted, 1.0f)) << x << " " << y;
+      ASSERT_NEAR(image.pixel(x, y)[1], wanted / 2, kHalfError * std::max(wanted, 1.0f)) << x << " " << y;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, PovrayAttenuation,
+                         testing::Values(Attenuation{}, Attenuation{Attenuation::Kind::fade, 1.2f, 2, 1},
+                                         Attenuation{Attenuation::Kind::fade, 0.7f, 3.5f, 1},
+                                         Attenuation{Attenuation::Kind::inverse_square, 1, 2, 1}));
+
+float smoothstep(float low, float high, float x) {
+  const float t = std::clamp((x - low) / (high - low), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+TEST(PovrayLights, SpotsEndInASmoothstepOfTheCosine) {
+  Light light = point_light({});
+  light.kind = LightKind::spot;
+  light.direction = glm::normalize(glm::vec3(-0.2f, 0.1f, -1));
+  light.inner_angle = glm::radians(15.0f);
+  light.outer_angle = glm::radians(35.0f);
+  const Image image = lit_wall(light);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const glm::vec3 p = wall_point(x, y);
+      const float cosine = glm::dot(glm::normalize(p - light.position), light.direction);
+      const float cone = smoothstep(std::cos(light.outer_angle), std::cos(light.inner_angle), cosine);
+      ASSERT_NEAR(image.pixel(x, y)[0], 1.5f * cone * lambert(light, p), 2 * kHalfError) << x << " " << y;
+    }
+}
+
+TEST(PovrayLights, SpotsMayEndAtOnce) {
+  Light light = point_light({});
+  light.kind = LightKind::spot;
+  light.position = {0, 0, 1};
+  light.direction = {0, 0, -1};
+  light.inner_angle = light.outer_angle = glm::radians(30.0f);
+  const Image image = lit_wall(light);
+  EXPECT_NEAR(image.pixel(16, 16)[0], 1.5f, 2 * kHalfError);
+  EXPECT_GT(image.pixel(24, 16)[0], 1.1f);  // 0.515 from the axis, inside of tan 30 = 0.577
+  EXPECT_EQ(image.pixel(26, 16)[0], 0);     // 0.636
+}
+
+TEST(PovrayLights, DirectionalLightsIgnoreDistance) {
+  Light light = frontal_light();
+  light.direction = glm::normalize(glm::vec3(1, -2, -3));
+  light.attenuation = {Attenuation::Kind::inverse_square, 1, 2, 1};
+  const Image image = lit_wall(light);
+  for (const int x : {0, 16, 32}) EXPECT_NEAR(image.pixel(x, 5)[0], 3 / std::sqrt(14.0f), kHalfError);
+}
+
+TEST(PovrayLights, WithoutShadowsNothingIsInTheWay) {
+  Scene scene = scene_of(facing_square());
+  scene.entities.push_back({"screen", 0, glm::mat4(1)});
+  scene.entities[1].transform[3][2] = 6;  // behind the camera, before the light
+  scene.lights = {frontal_light()};
+  EXPECT_EQ(render(scene, facing_camera()).pixel(16, 16)[0], 0);
+  PovOptions options = direct_options();
+  options.shadowless = true;
+  EXPECT_NEAR(render(scene, facing_camera(), options).pixel(16, 16)[0], 1, kHalfError);
+}
+
+TEST(PovLights, TheFitOfRadiusScalesWithIt) {
+  const FadeFit one = fit_radius_attenuation(1), ten = fit_radius_attenuation(10);
+  EXPECT_NEAR(ten.distance, 10 * one.distance, 1e-9);
+  EXPECT_EQ(ten.amplitude, one.amplitude);
+  EXPECT_LT(one.worst, 0.15);  // one fade has no better shape to offer: it is flat at the light
+}
+
+}  // namespace
+}  // namespace lightbench
