@@ -175,6 +175,8 @@ void GlContext::start() {
     const std::lock_guard lock(context->mutex_);
     context->complaints_.emplace_back(text, length < 0 ? std::strlen(text) : std::size_t(length));
   };
+  // Clip space z of 0..w, as reversed depth needs it (renderer/frame_camera.h).
+  glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   glEnable(GL_DEBUG_OUTPUT);
   glDebugMessageCallback(collect, this);
   glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);

@@ -38,36 +38,43 @@ float visibility(Receiver r, float n_dot_l) {
   return result;
 }
 #else
-// The stored depth of the receiver's plane where the ray through a map position meets it. It is an affine function of the
-// position, so that a plane never shadows itself, at any angle and resolution.
-float plane_depth(Receiver r, vec2 st) {
+// The depths that a map would store for the receiver's plane: an affine function of the map position, so that a plane
+// never shadows itself, at any angle and resolution.
+struct PlaneDepth {
+  float at_receiver;
+  vec2 slope;  // change per unit of st
+  float bias;
+};
+
+PlaneDepth plane_depth(Receiver r) {
   ShadowView v = shadow_views[r.view];
-  vec2 offset = st - r.st;
+  vec3 right = v.right.xyz / dot(v.right.xyz, v.right.xyz);
+  vec3 up = v.up.xyz / dot(v.up.xyz, v.up.xyz);
+  float texel = 2.0 * shadow_extent.y * max(length(right), length(up));
+  // What rounding may have moved the receiver off its plane, by its distances from the camera and from the light.
+  float rounding = 1e-6 * (distance(r.d + shadow_origin.xyz, camera_position.xyz) + length(r.d));
+  vec2 across = vec2(dot(r.normal, right), dot(r.normal, up));
+  PlaneDepth plane;
 #ifdef SHADOW_ORTHOGRAPHIC
-  vec3 right = v.right.xyz / dot(v.right.xyz, v.right.xyz);
-  vec3 up = v.up.xyz / dot(v.up.xyz, v.up.xyz);
   float along = dot(r.normal, v.forward.xyz);
-  float slope = -dot(r.normal, offset.x * right + offset.y * up);
-  return 1.0 - (r.depth + slope / (abs(along) < 1e-6 ? 1e-6 : along)) / shadow_origin.w;
+  along = abs(along) < 1e-4 ? 1e-4 : along;
+  plane.at_receiver = 1.0 - r.depth / shadow_origin.w;
+  plane.slope = across / (along * shadow_origin.w);
+  plane.bias = (shadow_bias * texel + rounding / abs(along)) / shadow_origin.w;
 #else
-  vec3 right = v.right.xyz / dot(v.right.xyz, v.right.xyz);
-  vec3 up = v.up.xyz / dot(v.up.xyz, v.up.xyz);
-  vec3 ray_change = offset.x * right + offset.y * up;
-  float across = dot(r.normal, r.d) / r.depth;
-  float change = dot(r.normal, ray_change) / (abs(across) < 1e-6 ? 1e-6 : across);
-  return shadow_origin.w / r.depth * (1.0 + clamp(change, -0.25, 0.25));
+  float along = dot(r.normal, r.d) / r.depth;
+  along = abs(along) < 1e-4 ? 1e-4 : along;
+  plane.at_receiver = shadow_origin.w / r.depth;
+  plane.slope = plane.at_receiver * across / along;
+  plane.bias = plane.at_receiver * (shadow_bias * texel + rounding / (abs(along) * r.depth));
 #endif
+  return plane;
 }
 
-float lit_at(Receiver r, ivec2 texel) {
-  vec2 st = (vec2(texel) + 0.5) * shadow_extent.y * 2.0 - 1.0;
+float lit_at(Receiver r, PlaneDepth plane, ivec2 texel) {
+  vec2 offset = (vec2(texel) + 0.5) * shadow_extent.y * 2.0 - 1.0 - r.st;
   float occluder = texelFetch(shadow_map, ivec3(texel, r.view), 0).r;
-  float receiver = plane_depth(r, st);
-#ifdef SHADOW_ORTHOGRAPHIC
-  return occluder > receiver + shadow_bias ? 0.0 : 1.0;
-#else
-  return occluder > receiver * (1.0 + shadow_bias) ? 0.0 : 1.0;
-#endif
+  return occluder > plane.at_receiver + dot(plane.slope, offset) + plane.bias ? 0.0 : 1.0;
 }
 
 #ifdef SHADOW_PCF
@@ -75,6 +82,7 @@ float visibility(Receiver r, float n_dot_l) {
   vec2 texel = (r.st * 0.5 + 0.5) * shadow_extent.x - 0.5;
   ivec2 corner = ivec2(floor(texel));
   vec2 f = texel - vec2(corner);
+  PlaneDepth plane = plane_depth(r);
   float sum = 0.0;
   float weights = 0.0;
   for (int y = -pcf_radius; y <= pcf_radius + 1; ++y)
@@ -83,7 +91,7 @@ float visibility(Receiver r, float n_dot_l) {
       vec2 weight = vec2(x == -pcf_radius ? 1.0 - f.x : (x == pcf_radius + 1 ? f.x : 1.0),
                          y == -pcf_radius ? 1.0 - f.y : (y == pcf_radius + 1 ? f.y : 1.0));
       ivec2 at = clamp(corner + ivec2(x, y), ivec2(0), ivec2(shadow_extent.x) - 1);
-      sum += weight.x * weight.y * lit_at(r, at);
+      sum += weight.x * weight.y * lit_at(r, plane, at);
       weights += weight.x * weight.y;
     }
   return sum / weights;
@@ -91,7 +99,7 @@ float visibility(Receiver r, float n_dot_l) {
 #else
 float visibility(Receiver r, float n_dot_l) {
   ivec2 texel = ivec2(floor((r.st * 0.5 + 0.5) * shadow_extent.x));
-  return lit_at(r, clamp(texel, ivec2(0), ivec2(shadow_extent.x) - 1));
+  return lit_at(r, plane_depth(r), clamp(texel, ivec2(0), ivec2(shadow_extent.x) - 1));
 }
 #endif
 #endif
