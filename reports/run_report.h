@@ -71,7 +71,8 @@ struct ReportScore {
   std::map<std::string, MetricValue> metrics;
   std::string difference_png;
   std::string heat_png;
-  std::vector<std::string> warnings;  ///< e.g. another number of bounces than the reference
+  std::string baseline_difference_png;  ///< variant against baseline; may be empty
+  std::vector<std::string> warnings;    ///< e.g. another number of bounces than the reference
 };
 
 struct ReportGate {
@@ -116,5 +117,8 @@ struct MeanValue {
 };
 MeanValue mean_metric(const RunReport& report, const std::string& metric, const std::string& variant,
                       const std::string& reference, const std::string& scene = "");
+
+/// A score's number, or why it has none: also where the task failed or the metric was not computed.
+MetricValue metric_of(const ReportScore& score, const std::string& metric);
 
 }  // namespace lightbench

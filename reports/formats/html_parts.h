@@ -1,0 +1,52 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reports/run_report.h"
+
+/// The sections of index.html; private to the HTML format.
+namespace lightbench {
+
+extern const char kReportCss[];
+extern const char kReportJs[];
+
+/// The run by view, in the order of the job.
+struct ViewRows {
+  struct View {
+    std::string scene;
+    std::string name;
+    std::map<std::string, const ReportImage*> images;                          ///< by source
+    std::map<std::pair<std::string, std::string>, const ReportScore*> scores;  ///< by variant, reference
+
+    std::string title() const { return scene + "/" + name; }
+    const ReportImage* image(const std::string& source) const;
+    const ReportScore* score(const std::string& variant, const std::string& reference) const;
+  };
+  std::vector<View> views;
+
+  explicit ViewRows(const RunReport& report);
+};
+
+/// Means per variant and reference, with the distribution of the leading metric over the views.
+std::string html_summary(const RunReport& report, const ViewRows& rows);
+std::string html_gates(const RunReport& report);
+/// Failed tasks and warnings; empty where there are none.
+std::string html_problems(const RunReport& report);
+/// The pictures: a row for each view and reference, a column for each variant.
+std::string html_pictures(const RunReport& report, const ViewRows& rows);
+/// All numbers: a row for each view, variant and reference.
+std::string html_scores(const RunReport& report, const ViewRows& rows);
+/// Variants, references, scenes, credits, tools, and what the metrics mean.
+std::string html_about(const RunReport& report);
+/// What the script needs to know, as JSON for a <script> element.
+std::string html_data(const RunReport& report, const ViewRows& rows);
+
+/// Escaped for HTML.
+std::string h(std::string_view text);
+/// A <td> with a number: the text, its tooltip, and the value that sorting uses.
+std::string number_cell(const std::string& metric, const MetricValue& value, const std::string& classes = "");
+
+}  // namespace lightbench

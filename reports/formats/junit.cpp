@@ -1,0 +1,100 @@
+#include "reports/formats/junit.h"
+
+#include <fmt/format.h>
+
+#include "reports/escape.h"
+
+namespace lightbench {
+namespace {
+
+struct Suite {
+  std::string name;
+  std::string cases;
+  std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
+  double seconds = 0;
+};
+
+Suite suite_named(const std::string& name) {
+  Suite suite;
+  suite.name = name;
+  return suite;
+}
+
+std::string problem(const char* element, const std::string& message) {
+  // The message again as text: some viewers show only the one, some only the other.
+  return fmt::format("      <{0} message=\"{1}\">{1}</{0}>\n", element, escape_markup(message));
+}
+
+void add_case(Suite& suite, const std::string& group, const std::string& name, double seconds,
+              const std::string& body) {
+  ++suite.tests;
+  suite.seconds += seconds;
+  suite.cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"",
+                             escape_markup(group), escape_markup(name), seconds);
+  suite.cases += body.empty() ? "/>\n" : ">\n" + body + "    </testcase>\n";
+}
+
+void add_task(Suite& suite, const std::string& group, const std::string& name, double seconds,
+              Outcome outcome, const std::string& error) {
+  std::string body;
+  if (outcome == Outcome::failed) {
+    ++suite.errors;
+    body = problem("error", error.empty() ? "failed" : error);
+  } else if (outcome == Outcome::skipped) {
+    ++suite.skipped;
+    body = fmt::format("      <skipped message=\"{}\"/>\n", escape_markup(error));
+  }
+  add_case(suite, group, name, seconds, body);
+}
+
+Suite gates_suite(const RunReport& report) {
+  Suite suite = suite_named("gates");
+  for (const ReportGate& gate : report.gates) {
+    suite.failures += !gate.passed;
+    add_case(suite, "gate", gate.text, 0, gate.passed ? "" : problem("failure", gate.detail));
+  }
+  return suite;
+}
+
+Suite images_suite(const RunReport& report) {
+  Suite suite = suite_named("images");
+  for (const ReportImage& image : report.images)
+    add_task(suite, image.scene + "/" + image.view, image.source, image.seconds, image.outcome, image.error);
+  return suite;
+}
+
+Suite scores_suite(const RunReport& report) {
+  Suite suite = suite_named("scores");
+  for (const ReportScore& score : report.scores)
+    add_task(suite, score.scene + "/" + score.view, score.variant + " against " + score.reference, 0,
+             score.outcome, score.error);
+  return suite;
+}
+
+std::string counts(const Suite& suite) {
+  return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\"", suite.tests,
+                     suite.failures, suite.errors, suite.skipped, suite.seconds);
+}
+
+}  // namespace
+
+std::vector<ReportFile> write_junit(const RunReport& report) {
+  Suite total;
+  std::string body;
+  for (const Suite& suite : {gates_suite(report), images_suite(report), scores_suite(report)}) {
+    total.tests += suite.tests;
+    total.failures += suite.failures;
+    total.errors += suite.errors;
+    total.skipped += suite.skipped;
+    body += fmt::format("  <testsuite name=\"{}\" {} timestamp=\"{}\">\n{}  </testsuite>\n",
+                        escape_markup(report.job + " " + suite.name), counts(suite),
+                        escape_markup(report.started), suite.cases);
+  }
+  total.seconds = report.seconds;
+  return {
+      {"junit.xml", fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"{}\" {}>\n{}"
+                                "</testsuites>\n",
+                                escape_markup(report.job), counts(total), body)}};
+}
+
+}  // namespace lightbench

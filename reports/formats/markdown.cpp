@@ -1,0 +1,121 @@
+#include "reports/formats/markdown.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "reports/escape.h"
+#include "reports/value_text.h"
+
+namespace lightbench {
+namespace {
+
+constexpr std::size_t kRows = 100;  ///< of any one table
+constexpr std::size_t kWorstViews = 10;
+constexpr std::size_t kMetrics = 16;
+constexpr std::size_t kCell = 300;  ///< characters
+
+std::string cell(const std::string& text) {
+  return escape_markdown(shortened(clean_utf8(text), kCell));
+}
+
+std::string row(const std::vector<std::string>& cells) {
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+std::string more(std::size_t count) {
+  return count > kRows ? fmt::format("\n… and {} more.\n", count - kRows) : "";
+}
+
+std::vector<Metric> shown_metrics(const RunReport& report) {
+  std::vector<Metric> shown;
+  for (const std::string& name : report.metric_names)
+    if (shown.size() < kMetrics) shown.push_back(metric_or_plain(name));
+  return shown;
+}
+
+std::string means(const RunReport& report) {
+  const std::vector<Metric> shown = shown_metrics(report);
+  std::vector<std::string> heading{"variant", "reference", "views"}, rule{":--", ":--", "--:"};
+  for (const Metric& metric : shown) {
+    heading.push_back(cell(metric_heading(metric)));
+    rule.push_back("--:");
+  }
+  std::string text = "### Means\n\n" + row(heading) + row(rule);
+  std::size_t rows = 0;
+  for (const ReportImageSource& variant : report.variants) {
+    for (const ReportImageSource& reference : report.references) {
+      if (++rows > kRows) continue;
+      const std::size_t scores = worst_first(report, "", variant.name, reference.name).size();
+      std::vector<std::string> cells{cell(variant.name), cell(reference.name), std::to_string(scores)};
+      for (const Metric& metric : shown) {
+        const MeanValue mean = mean_metric(report, metric.name, variant.name, reference.name);
+        cells.push_back(value_text(metric, mean.mean));
+        if (mean.undefined > 0 && mean.count > 0) cells.back() += fmt::format(" (of {})", mean.count);
+      }
+      text += row(cells);
+    }
+  }
+  return text + more(rows) + "\n";
+}
+
+std::string gates(const RunReport& report) {
+  if (report.gates.empty()) return "";
+  std::string text = "### Gates\n\n" + row({"", "gate", "result"}) + row({":--", ":--", ":--"});
+  std::vector<const ReportGate*> order;
+  for (const ReportGate& gate : report.gates) order.push_back(&gate);
+  std::ranges::stable_partition(order, [](const ReportGate* gate) { return !gate->passed; });
+  for (std::size_t i = 0; i < std::min(order.size(), kRows); ++i)
+    text += row({order[i]->passed ? "met" : "**not met**", cell(order[i]->text), cell(order[i]->detail)});
+  return text + more(order.size()) + "\n";
+}
+
+std::string worst_views(const RunReport& report) {
+  const std::string leading = leading_metric(report);
+  if (leading.empty()) return "";
+  const Metric metric = metric_or_plain(leading);
+  std::string text;
+  for (const ReportImageSource& variant : report.variants) {
+    if (variant.name == report.baseline || text.size() > 100000) continue;
+    const auto scores = worst_first(report, leading, variant.name, report.primary_reference);
+    std::string list;
+    std::size_t shown = 0;
+    for (const ReportScore* score : scores) {
+      const MetricValue value = metric_of(*score, leading);
+      if (!value.value || shown == kWorstViews) continue;
+      list += fmt::format("{}{} {}", shown++ == 0 ? "" : ", ", cell(score->scene + "/" + score->view),
+                          value_text(metric, value));
+    }
+    if (shown > 0) text += fmt::format("- {}: {}\n", cell(variant.name), list);
+  }
+  return text.empty() ? "" : fmt::format("### Worst views by {}\n\n{}\n", cell(metric_heading(metric)), text);
+}
+
+std::string failures(const RunReport& report) {
+  std::vector<std::string> rows;
+  for (const ReportImage& image : report.images)
+    if (image.outcome == Outcome::failed)
+      rows.push_back(row({cell(image.scene + "/" + image.view), cell(image.source), cell(image.error)}));
+  for (const ReportScore& score : report.scores)
+    if (score.outcome == Outcome::failed)
+      rows.push_back(row({cell(score.scene + "/" + score.view),
+                          cell(score.variant + " against " + score.reference), cell(score.error)}));
+  if (rows.empty()) return "";
+  std::string text = "### Failed\n\n" + row({"view", "task", "error"}) + row({":--", ":--", ":--"});
+  for (std::size_t i = 0; i < std::min(rows.size(), kRows); ++i) text += rows[i];
+  return text + more(rows.size()) + "\n";
+}
+
+}  // namespace
+
+std::vector<ReportFile> write_markdown(const RunReport& report) {
+  const RunCounts counts = count_outcomes(report);
+  std::string text = fmt::format("## {}: {}\n\n", cell(report.job), verdict_text(counts));
+  text += fmt::format("{} of {}x{}", counted(counts.views, "view"), report.width, report.height);
+  if (!report.baseline.empty()) text += ", baseline " + cell(report.baseline);
+  text += fmt::format(", {}.\n\n", duration_text(report.seconds));
+  text += failures(report) + gates(report) + means(report) + worst_views(report);
+  return {{"summary.md", text}};
+}
+
+}  // namespace lightbench

@@ -1,0 +1,105 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "reports/escape.h"
+#include "reports/report_formats.h"
+#include "reports/value_text.h"
+
+namespace lightbench {
+namespace {
+
+constexpr std::size_t kNameWidth = 40;
+constexpr std::size_t kListed = 10;
+
+using Table = std::vector<std::vector<std::string>>;
+
+std::string name_cell(const std::string& text) {
+  return shortened(plain_line(text), kNameWidth);
+}
+
+std::string spaces(std::size_t count) {
+  return std::string(count, ' ');
+}
+
+/// The first two columns are names and stand on the left, numbers on the right.
+std::string aligned(const Table& table) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : table) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], display_width(row[i]));
+  }
+  std::string text;
+  for (const auto& row : table) {
+    std::string line;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string padding = spaces(widths[i] - display_width(row[i]));
+      line += (i == 0 ? "" : "  ") + (i < 2 ? row[i] + padding : padding + row[i]);
+    }
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return text;
+}
+
+/// "12" or, where some failed, "10 of 12".
+std::string scored_views(const std::vector<const ReportScore*>& scores) {
+  const auto ok = std::ranges::count(scores, Outcome::ok, &ReportScore::outcome);
+  return std::size_t(ok) == scores.size() ? std::to_string(ok) : fmt::format("{} of {}", ok, scores.size());
+}
+
+std::vector<std::string> summary_row(const RunReport& report, const std::string& variant,
+                                     const std::string& reference, const std::string& leading) {
+  const auto scores = worst_first(report, leading, variant, reference);
+  const std::string mark = variant == report.baseline ? " (baseline)" : "";
+  std::vector<std::string> row{name_cell(variant) + mark, name_cell(reference), scored_views(scores)};
+  for (const std::string& name : report.metric_names)
+    row.push_back(value_text(metric_or_plain(name), mean_metric(report, name, variant, reference).mean));
+  if (leading.empty()) return row;
+  const auto worst = std::ranges::find_if(
+      scores, [&](const ReportScore* score) { return metric_of(*score, leading).value.has_value(); });
+  row.push_back(worst == scores.end() ? "-"
+                                      : value_text(metric_or_plain(leading), metric_of(**worst, leading)) +
+                                            " " + name_cell((*worst)->scene + "/" + (*worst)->view));
+  return row;
+}
+
+std::string failure_lines(const RunReport& report) {
+  std::vector<std::string> lines;
+  const auto add = [&](const auto& row, const std::string& task) {
+    if (row.outcome == Outcome::failed)
+      lines.push_back(fmt::format("failed: {}/{} {}: {}", row.scene, row.view, task, row.error));
+  };
+  for (const ReportImage& image : report.images) add(image, image.source);
+  for (const ReportScore& score : report.scores) add(score, score.variant + " against " + score.reference);
+  std::string text;
+  for (std::size_t i = 0; i < std::min(lines.size(), kListed); ++i) text += plain_line(lines[i]) + "\n";
+  if (lines.size() > kListed) text += fmt::format("... and {} more\n", lines.size() - kListed);
+  return text;
+}
+
+std::string gate_lines(const RunReport& report) {
+  std::string text;
+  for (const ReportGate& gate : report.gates)
+    text += fmt::format("gate {}: {}: {}\n", gate.passed ? "met" : "NOT MET", plain_line(gate.text),
+                        plain_line(gate.detail));
+  return text;
+}
+
+}  // namespace
+
+std::string terminal_summary(const RunReport& report) {
+  const std::string leading = leading_metric(report);
+  Table table;
+  std::vector<std::string> heading{"variant", "reference", "views"};
+  for (const std::string& name : report.metric_names)
+    heading.push_back(metric_heading(metric_or_plain(name)));
+  if (!leading.empty()) heading.push_back("worst " + leading);
+  table.push_back(heading);
+  for (const ReportImageSource& variant : report.variants)
+    for (const ReportImageSource& reference : report.references)
+      table.push_back(summary_row(report, variant.name, reference.name, leading));
+  return (table.size() > 1 ? aligned(table) : "") + gate_lines(report) + failure_lines(report) +
+         plain_line(verdict_text(count_outcomes(report))) + "\n";
+}
+
+}  // namespace lightbench

@@ -1,0 +1,97 @@
+#include "reports/value_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+
+namespace lightbench {
+
+Metric metric_or_plain(const std::string& name) {
+  for (const Metric& metric : metrics())
+    if (metric.name == name) return metric;
+  return {.name = name, .doc = "", .unit = "", .better = Better::neither};
+}
+
+std::string value_text(const Metric& metric, const MetricValue& value, const std::string& undefined_text) {
+  if (!value.value || !std::isfinite(*value.value)) return undefined_text;
+  const std::string text = fmt::format("{:.{}f}", *value.value, metric.decimals);
+  // A small negative number rounds to "-0.00".
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero && text.starts_with('-') ? text.substr(1) : text;
+}
+
+std::string metric_heading(const Metric& metric) {
+  return metric.unit == "%" ? metric.name + " %" : metric.name;
+}
+
+std::string duration_text(double seconds) {
+  if (seconds < 0.9995) return fmt::format("{:.0f} ms", seconds * 1e3);
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+  const long long whole = std::llround(seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+RunCounts count_outcomes(const RunReport& report) {
+  RunCounts counts;
+  std::set<std::pair<std::string, std::string>> views;
+  const auto add = [&](const auto& row) {
+    views.emplace(row.scene, row.view);
+    counts.failed += row.outcome == Outcome::failed;
+    counts.skipped += row.outcome == Outcome::skipped;
+  };
+  for (const ReportImage& image : report.images) add(image);
+  for (const ReportScore& score : report.scores) add(score);
+  for (const ReportGate& gate : report.gates) ++(gate.passed ? counts.gates_met : counts.gates_not_met);
+  counts.views = views.size();
+  return counts;
+}
+
+std::string verdict_text(const RunCounts& counts) {
+  const std::size_t gates = counts.gates_met + counts.gates_not_met;
+  std::string text;
+  if (counts.gates_not_met > 0)
+    text = fmt::format("{} of {} not met", counts.gates_not_met, counted(gates, "gate"));
+  else if (gates > 1)
+    text = fmt::format("All {} gates met", gates);
+  else if (gates == 1)
+    text = "The gate is met";
+  const auto append = [&](std::size_t count, const char* what) {
+    if (count == 0) return;
+    text += (text.empty() ? "" : ", ") + counted(count, "task") + " " + what;
+  };
+  append(counts.failed, "failed");
+  append(counts.skipped, "skipped");
+  return text.empty() ? "Finished" : text;
+}
+
+std::vector<const ReportScore*> worst_first(const RunReport& report, const std::string& metric,
+                                            const std::string& variant, const std::string& reference) {
+  std::vector<std::pair<double, const ReportScore*>> order;
+  const bool higher_is_better = metric_or_plain(metric).better == Better::higher;
+  for (const ReportScore& score : report.scores) {
+    if (score.variant != variant || score.reference != reference) continue;
+    const MetricValue value = metric_of(score, metric);
+    const double badness = value.value ? (higher_is_better ? -*value.value : *value.value) : INFINITY;
+    order.emplace_back(badness, &score);
+  }
+  std::ranges::stable_sort(order, std::ranges::greater{}, [](const auto& entry) { return entry.first; });
+  std::vector<const ReportScore*> scores;
+  for (const auto& [badness, score] : order) scores.push_back(score);
+  return scores;
+}
+
+std::string leading_metric(const RunReport& report) {
+  if (report.metric_names.empty()) return "";
+  const bool has_gain = std::ranges::find(report.metric_names, "gain") != report.metric_names.end();
+  return has_gain ? "gain" : report.metric_names.front();
+}
+
+}  // namespace lightbench

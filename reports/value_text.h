@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "reports/metric.h"
+#include "reports/run_report.h"
+
+/// How numbers look in every report.
+namespace lightbench {
+
+/// The metric's row, or one with its name alone where this lightbench does not know it (a run of another
+/// version).
+Metric metric_or_plain(const std::string& name);
+
+/// With the metric's decimals; `undefined_text` where there is no number.
+std::string value_text(const Metric& metric, const MetricValue& value,
+                       const std::string& undefined_text = "-");
+
+/// "gain %", "mean_error".
+std::string metric_heading(const Metric& metric);
+
+/// "85 ms", "4.2 s", "3 min 20 s", "2 h 5 min".
+std::string duration_text(double seconds);
+
+/// "1 view", "3 views".
+std::string counted(std::size_t count, const std::string& noun);
+
+/// What a run came to.
+struct RunCounts {
+  std::size_t views = 0;
+  std::size_t failed = 0;  ///< images and scores
+  std::size_t skipped = 0;
+  std::size_t gates_met = 0;
+  std::size_t gates_not_met = 0;
+};
+RunCounts count_outcomes(const RunReport& report);
+
+/// "All 5 gates met", "1 of 5 gates not met, 2 tasks failed": the run in one line.
+std::string verdict_text(const RunCounts& counts);
+
+/// The scores of (variant, reference), from bad to good by `metric`; those without a number come first.
+std::vector<const ReportScore*> worst_first(const RunReport& report, const std::string& metric,
+                                            const std::string& variant, const std::string& reference);
+
+/// "gain" where the run has it, else its first metric; empty where it has none.
+std::string leading_metric(const RunReport& report);
+
+}  // namespace lightbench

@@ -1,0 +1,170 @@
+#include "reports/verdict.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+
+namespace lightbench {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// One score that a gate looks at.
+struct Sample {
+  const ReportScore* score;
+  MetricValue value;
+};
+
+struct Judgement {
+  bool passed = false;
+  std::string detail;
+};
+
+bool matches(const std::string& name, const std::string& pattern) {
+  return pattern.empty() || name == pattern || matches_glob(name, pattern);
+}
+
+std::string place(const ReportScore& score) {
+  return score.scene + "/" + score.view;
+}
+
+std::string number(double value) {
+  return fmt::format("{:.6g}", value);
+}
+
+std::string bounds_text(const Gate& gate) {
+  if (gate.min && gate.max) return fmt::format("in {}..{}", number(*gate.min), number(*gate.max));
+  if (gate.min) return ">= " + number(*gate.min);
+  return gate.max ? "<= " + number(*gate.max) : "without bounds";
+}
+
+/// By how much a value is outside the bounds; negative inside.
+double excess(const Gate& gate, double value) {
+  const double below = gate.min ? *gate.min - value : -kInfinity;
+  const double above = gate.max ? value - *gate.max : -kInfinity;
+  return std::max(below, above);
+}
+
+bool within(const Gate& gate, double value) {
+  return (!gate.min || value >= *gate.min) && (!gate.max || value <= *gate.max);
+}
+
+/// The bound that `value` breaks, or would break first.
+std::string bound_of(const Gate& gate, double value) {
+  if (gate.min && value < *gate.min) return fmt::format(", below {}", number(*gate.min));
+  if (gate.max && value > *gate.max) return fmt::format(", above {}", number(*gate.max));
+  return "";
+}
+
+/// "a; b; c; and 4 more": a detail stays one readable line.
+std::string some_of(const std::vector<std::string>& items) {
+  constexpr std::size_t kShown = 5;
+  const std::vector<std::string> shown(items.begin(),
+                                       items.begin() + std::ptrdiff_t(std::min(kShown, items.size())));
+  std::string text = join(shown, "; ");
+  if (items.size() > kShown) text += fmt::format("; and {} more", items.size() - kShown);
+  return text;
+}
+
+std::string views(std::size_t count) {
+  return count == 1 ? "1 view" : fmt::format("{} views", count);
+}
+
+Judgement judge_mean(const Gate& gate, const std::vector<Sample>& samples) {
+  double sum = 0;
+  for (const Sample& sample : samples) sum += *sample.value.value;
+  const double mean = sum / double(samples.size());
+  return {within(gate, mean),
+          fmt::format("{} mean of {}{}", number(mean), views(samples.size()), bound_of(gate, mean))};
+}
+
+Judgement judge_worst(const Gate& gate, const std::vector<Sample>& samples) {
+  const Sample& worst = *std::ranges::max_element(
+      samples, {}, [&](const Sample& sample) { return excess(gate, *sample.value.value); });
+  const double value = *worst.value.value;
+  return {within(gate, value), fmt::format("{} on {}, the worst of {}{}", number(value), place(*worst.score),
+                                           views(samples.size()), bound_of(gate, value))};
+}
+
+Judgement judge_each(const Gate& gate, const std::vector<Sample>& samples) {
+  std::vector<std::string> broken;
+  for (const Sample& sample : samples)
+    if (!within(gate, *sample.value.value))
+      broken.push_back(fmt::format("{} on {}{}", number(*sample.value.value), place(*sample.score),
+                                   bound_of(gate, *sample.value.value)));
+  if (!broken.empty())
+    return {false, fmt::format("{} of {}: {}", broken.size(), views(samples.size()), some_of(broken))};
+  return {true, "all met; " + judge_worst(gate, samples).detail};
+}
+
+Judgement judge(const Gate& gate, const std::vector<Sample>& samples) {
+  std::vector<std::string> without_number;
+  for (const Sample& sample : samples)
+    if (!sample.value.value)
+      without_number.push_back(
+          fmt::format("{} has no {}: {}", place(*sample.score), gate.metric, sample.value.undefined_because));
+  if (!without_number.empty()) return {false, some_of(without_number)};
+  switch (gate.over) {
+    case Gate::Over::each:
+      return judge_each(gate, samples);
+    case Gate::Over::mean:
+      return judge_mean(gate, samples);
+    case Gate::Over::worst:
+      return judge_worst(gate, samples);
+  }
+  return {false, "unknown kind of gate"};
+}
+
+std::vector<Sample> samples_of(const Gate& gate, const std::string& variant, const RunReport& report) {
+  const std::string& reference = gate.reference.empty() ? report.primary_reference : gate.reference;
+  std::vector<Sample> samples;
+  for (const ReportScore& score : report.scores)
+    if (score.variant == variant && (reference.empty() || score.reference == reference) &&
+        matches(score.scene, gate.scene) && matches(score.view, gate.view))
+      samples.push_back({&score, metric_of(score, gate.metric)});
+  return samples;
+}
+
+}  // namespace
+
+std::string describe(const Gate& gate) {
+  static constexpr const char* kOver[] = {"each", "mean", "worst"};
+  std::string text = fmt::format("{} {} of {} {}", kOver[static_cast<std::size_t>(gate.over)], gate.metric,
+                                 gate.variant, bounds_text(gate));
+  if (!gate.reference.empty()) text += " against " + gate.reference;
+  if (!gate.scene.empty()) text += ", scene " + gate.scene;
+  if (!gate.view.empty()) text += ", view " + gate.view;
+  return text;
+}
+
+ReportGate evaluate_gate(const Gate& gate, const RunReport& report) {
+  ReportGate result;
+  result.text = gate.as_written.empty() ? describe(gate) : gate.as_written;
+  if (!gate.min && !gate.max) {
+    result.detail = "the gate has neither a lower nor an upper bound";
+    return result;
+  }
+  std::vector<std::string> met, not_met;
+  for (const ReportImageSource& variant : report.variants) {
+    if (!matches(variant.name, gate.variant)) continue;
+    const std::vector<Sample> samples = samples_of(gate, variant.name, report);
+    if (samples.empty()) continue;
+    const Judgement judgement = judge(gate, samples);
+    (judgement.passed ? met : not_met)
+        .push_back(variant.name == gate.variant ? judgement.detail : variant.name + ": " + judgement.detail);
+  }
+  result.passed = not_met.empty() && !met.empty();
+  result.detail = !not_met.empty() ? some_of(not_met) : met.empty() ? "no score matches" : some_of(met);
+  return result;
+}
+
+std::vector<ReportGate> evaluate_gates(std::span<const Gate> gates, const RunReport& report) {
+  std::vector<ReportGate> results;
+  for (const Gate& gate : gates) results.push_back(evaluate_gate(gate, report));
+  return results;
+}
+
+}  // namespace lightbench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reports/run_report.h"
+
+/// Metrics return numbers; gates say which numbers are good enough.
+namespace lightbench {
+
+/// A rule on scores. Both bounds are inclusive; at least one is there.
+struct Gate {
+  enum class Over {
+    each,   ///< every view for itself
+    mean,   ///< the mean over the views
+    worst,  ///< the view farthest on the wrong side of a bound
+  };
+
+  std::string metric;
+  std::string variant;    ///< a name, or a pattern with * ? [..]: then each matching variant must pass
+  std::string reference;  ///< a name; empty: the primary reference
+  std::string scene;      ///< a pattern; empty: all
+  std::string view;       ///< a pattern; empty: all
+  std::optional<double> min;
+  std::optional<double> max;
+  Over over = Over::each;
+  std::string as_written;  ///< shown in reports; empty: `describe`
+};
+
+/// "mean gain of isr >= 25 against povray, scene office".
+std::string describe(const Gate& gate);
+
+/// A gate passes only where it has scores to look at and each of them has a number within the bounds (or
+/// their mean has): a failed task, a skipped one, an undefined value or no matching score at all is a gate
+/// not met, and `detail` says which and why.
+ReportGate evaluate_gate(const Gate& gate, const RunReport& report);
+
+std::vector<ReportGate> evaluate_gates(std::span<const Gate> gates, const RunReport& report);
+
+}  // namespace lightbench
