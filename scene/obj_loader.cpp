@@ -94,9 +94,9 @@ class ObjLoader {
     } else if (!missing_library_) {
       std::vector<std::string> names;
       for (const auto& [name, unused] : library_) names.push_back(name);
-      problems_.error(
-          fmt::format("no material library has the material '{}'{}", use.text, did_you_mean(use.text, names)),
-          at_line(file_, use.line));
+      problems_.warning(fmt::format("no material library has the material '{}'{}; it is plain grey", use.text,
+                                    did_you_mean(use.text, names)),
+                        at_line(file_, use.line));
     }
     return int(model_.materials.size()) - 1;
   }
