@@ -70,15 +70,15 @@ Technique images_technique() {
   technique.name = "images";
   technique.doc = "pictures of another engine, read from files and scored like any other variant";
   technique.params = {
-      {.name = "pattern",
-       .type = ParamType::text,
-       .default_value = std::string("renders/{scene}/{view}.png"),
-       .doc = "path of a view's picture; {scene} and {view} stand for the names, in which bytes other than "
-              "letters, "
-              "digits, '.', '_' and '-' become %XX; ${LIGHTBENCH_...} is an environment variable; relative "
-              "to the "
-              "working directory. 8- and 16-bit files are taken as sRGB, EXR as linear light"},
-  };
+      {"pattern",
+       ParamType::text,
+       std::string("renders/{scene}/{view}.png"),
+       0,
+       0,
+       {},
+       "path of a view's picture; {scene} and {view} stand for the names, in which bytes other than "
+       "letters, digits, '.', '_' and '-' become %XX; ${LIGHTBENCH_...} is an environment variable; "
+       "relative to the working directory. 8- and 16-bit files are taken as sRGB, EXR as linear light"}};
   technique.needs_gl = false;
   technique.render = render_images;
   return technique;

@@ -1,0 +1,257 @@
+#include "renderer/techniques/isr.h"
+
+#include <optional>
+
+#include <glm/gtc/constants.hpp>
+#include <glm/vec4.hpp>
+
+#include "renderer/direct_light.h"
+#include "renderer/frame_context.h"
+#include "renderer/techniques/isr_kernel.h"
+#include "renderer/techniques/isr_params.h"
+
+namespace lightbench {
+namespace {
+
+constexpr unsigned kPatchUnit = 6;  // of techniques/isr/*.glsl
+constexpr unsigned kRadianceUnit = 7;
+constexpr unsigned kNormalUnit = 8;
+constexpr unsigned kIndirectUnit = 9;
+constexpr unsigned kLightUnit = 9;
+constexpr unsigned kOpennessUnit = 10;
+constexpr unsigned kLitUnit = 11;
+constexpr unsigned kKernelBinding = 1;
+
+/// What is gathered from: techniques/isr/coarse.glsl.
+struct CoarseScene {
+  GlTexture patches;
+  GlTexture radiance;
+  GlTexture normals;
+};
+
+/// What is gathered.
+struct CoarseLight {
+  GlTexture indirect;
+  std::optional<GlTexture> openness;  ///< only where it is asked for
+};
+
+/// One frame's inputs, common to all passes.
+struct Isr {
+  FrameContext& frame;
+  const ParamValues& params;
+  const GBuffer& gbuffer;
+  const DirectLight& direct;
+  ShaderDefines defines;
+  glm::ivec2 coarse_size;
+  bool occlusion;
+
+  float number(const char* name) const { return float(params.number(name)); }
+  bool is(const char* name, const char* choice) const { return params.text(name) == choice; }
+  int block() const { return params.integer("resolution"); }
+  const Program& program(const std::string& name, const ShaderDefines& more = {}) const {
+    ShaderDefines all = defines;
+    all.insert(all.end(), more.begin(), more.end());
+    return frame.fullscreen_program("techniques/isr/" + name + ".frag.glsl", all);
+  }
+};
+
+bool wants_occlusion(const FrameContext& frame, const ParamValues& params) {
+  return params.number("k_ssao") > 0 || frame.wants("occlusion");
+}
+
+/// Whether the background is gathered: black is not worth the work.
+bool gathers_background(const Isr& isr) {
+  const Background& background = isr.frame.scene().background;
+  return isr.params.boolean("background") && background.lights && background.color != glm::vec3(0);
+}
+
+GlTexture coarse_texture(const Isr& isr, TexelFormat format) {
+  return GlTexture(format, isr.coarse_size.x, isr.coarse_size.y);
+}
+
+CoarseLight make_light(const Isr& isr) {
+  CoarseLight light{coarse_texture(isr, TexelFormat::rgba16f), std::nullopt};
+  if (isr.occlusion) light.openness = coarse_texture(isr, TexelFormat::r16f);
+  return light;
+}
+
+Framebuffer target_of(const CoarseLight& light) {
+  if (light.openness) return Framebuffer({&light.indirect, &*light.openness});
+  return Framebuffer({&light.indirect});
+}
+
+void bind(const CoarseLight& light) {
+  light.indirect.bind(kIndirectUnit);
+  if (light.openness) light.openness->bind(kOpennessUnit);
+}
+
+CoarseScene downsample(const Isr& isr) {
+  CoarseScene coarse{coarse_texture(isr, TexelFormat::rgba32f), coarse_texture(isr, TexelFormat::rgba16f),
+                     coarse_texture(isr, TexelFormat::rg16)};
+  const Framebuffer target({&coarse.patches, &coarse.radiance, &coarse.normals});
+  const Program& program = isr.program("downsample");
+  program.set("block", isr.block());
+  program.set("min_view_cosine", isr.number("min_view_cosine"));
+  isr.gbuffer.bind();
+  (isr.is("source", "diffuse") ? isr.direct.irradiance : isr.direct.lit).bind(kLightUnit);
+  isr.frame.draw_fullscreen(target, program);
+  return coarse;
+}
+
+/// The kernel as the shader has it: shares on the image plane at distance 1, divided by pi.
+Buffer kernel_block(const Isr& isr, float pixel_size) {
+  const int samples = isr.params.integer("samples");
+  const std::vector<KernelSample> kernel =
+      isr.is("pattern", "grid")
+          ? grid_kernel(samples, isr.number("spacing"))
+          : spiral_kernel(samples, isr.number("radius") * float(isr.coarse_size.x), isr.number("spread"));
+  std::vector<glm::vec4> block(kMaxKernelSamples, glm::vec4(0));
+  const bool paper = isr.is("weighting", "paper");
+  for (std::size_t i = 0; i < kernel.size(); ++i) {
+    const float area = paper ? 1.0f : kernel[i].area;  // eq. 25 takes one pixel as the patch
+    block[i] = glm::vec4(kernel[i].offset, area * pixel_size * pixel_size / glm::pi<float>(), 0);
+  }
+  return Buffer(block.data(), block.size() * sizeof block[0]);
+}
+
+CoarseLight gather(const Isr& isr, const CoarseScene& coarse) {
+  // Edge of a coarse pixel at distance 1.
+  const float pixel_size = 2 * isr.gbuffer.camera.tan_half_y * float(isr.block()) / float(isr.gbuffer.height);
+  const Buffer kernel = kernel_block(isr, pixel_size);
+  CoarseLight light = make_light(isr);
+  ShaderDefines defines;
+  if (gathers_background(isr)) defines.push_back("BACKGROUND");
+  const Program& program = isr.program("gather", defines);
+  program.set("sample_count", isr.params.integer("samples"));
+  program.set("coarse_size", isr.coarse_size);
+  program.set("coarse_texel", float(isr.block()) / glm::vec2(isr.gbuffer.width, isr.gbuffer.height));
+  program.set("form_factor_limit", isr.number("form_factor_limit"));
+  program.set("background", isr.frame.scene().background.color);
+  program.set("occluder_radius", isr.number("occluder_radius") * pixel_size / float(isr.block()));
+  isr.gbuffer.camera_block.bind_uniform(0);
+  kernel.bind_uniform(kKernelBinding);
+  coarse.patches.bind(kPatchUnit);
+  coarse.radiance.bind(kRadianceUnit);
+  coarse.normals.bind(kNormalUnit);
+  isr.frame.draw_fullscreen(target_of(light), program);
+  return light;
+}
+
+void blur_along(const Isr& isr, const CoarseLight& from, const CoarseLight& to, const glm::ivec2& direction) {
+  const int radius = isr.params.integer("blur_radius");
+  const float sigma = 0.5f * float(radius) + 0.5f;
+  const Program& program = isr.program("blur");
+  program.set("direction", direction);
+  program.set("radius", radius);
+  program.set("coarse_size", isr.coarse_size);
+  program.set("falloff", 1 / (2 * sigma * sigma));
+  program.set("plane_tolerance", isr.number("blur_plane"));
+  bind(from);
+  isr.frame.draw_fullscreen(target_of(to), program);
+}
+
+void blur(const Isr& isr, const CoarseScene& coarse, CoarseLight& light) {
+  if (isr.is("blur", "none")) return;
+  const CoarseLight between = make_light(isr);
+  coarse.patches.bind(kPatchUnit);
+  blur_along(isr, light, between, {1, 0});
+  blur_along(isr, between, light, {0, 1});
+}
+
+/// The image, and the named buffers at full resolution.
+void compose(const Isr& isr, const CoarseScene& coarse, const CoarseLight& light) {
+  const glm::ivec2 size(isr.gbuffer.width, isr.gbuffer.height);
+  const bool keep = isr.frame.wants("indirect") || isr.frame.wants("occlusion");
+  const GlTexture image(TexelFormat::rgba32f, size.x, size.y);
+  std::optional<GlTexture> indirect;
+  std::optional<GlTexture> openness;
+  if (keep) {
+    indirect.emplace(TexelFormat::rgba32f, size.x, size.y);
+    openness.emplace(TexelFormat::r32f, size.x, size.y);
+  }
+  const Framebuffer target = keep ? Framebuffer({&image, &*indirect, &*openness}) : Framebuffer({&image});
+  isr.frame.pass("upsample and light", [&] {
+    const Program& program = isr.program("light", keep ? ShaderDefines{"KEEP_BUFFERS"} : ShaderDefines{});
+    program.set("block", isr.block());
+    program.set("coarse_size", isr.coarse_size);
+    program.set("depth_epsilon", isr.number("upsample_epsilon"));
+    program.set("depth_tolerance", isr.number("upsample_tolerance"));
+    program.set("k_isr", isr.number("k_isr"));
+    program.set("k_ssao", isr.number("k_ssao"));
+    isr.gbuffer.bind();
+    coarse.patches.bind(kPatchUnit);
+    bind(light);
+    isr.direct.lit.bind(kLitUnit);
+    isr.frame.draw_fullscreen(target, program);
+  });
+  isr.frame.set_image(image);
+  if (!keep) return;
+  isr.frame.keep_buffer("indirect", *indirect, 3);
+  isr.frame.keep_buffer("occlusion", *openness, 1);
+}
+
+ShaderDefines all_defines(const GBuffer& gbuffer, const ParamValues& params, bool occlusion) {
+  ShaderDefines defines = gbuffer_defines(gbuffer);
+  for (std::string& define : isr_defines(params)) defines.push_back(std::move(define));
+  if (occlusion) defines.push_back("OCCLUSION");
+  if (!params.boolean("direct")) defines.push_back("INDIRECT_ONLY");
+  return defines;
+}
+
+void render_isr(FrameContext& frame, const ParamValues& params) {
+  GBuffer gbuffer;
+  frame.pass("gbuffer", [&] {
+    GBufferOptions options;
+    if (params.text("normals") == "rgb8") options.normals = NormalFormat::rgb8;
+    gbuffer = draw_gbuffer(frame, frame.camera(), frame.width(), frame.height(), options);
+  });
+  DirectLightOutputs outputs = wanted_outputs(frame);
+  outputs.irradiance = outputs.irradiance || params.text("source") == "diffuse";
+  const DirectLight direct = draw_direct_light(frame, gbuffer, shadow_options(params), outputs);
+
+  const int block = params.integer("resolution");
+  const glm::ivec2 coarse_size((gbuffer.width + block - 1) / block, (gbuffer.height + block - 1) / block);
+  const bool occlusion = wants_occlusion(frame, params);
+  const Isr isr{frame,       params,   gbuffer, direct, all_defines(gbuffer, params, occlusion),
+                coarse_size, occlusion};
+  CoarseScene coarse;
+  CoarseLight light;
+  frame.pass("downsample", [&] { coarse = downsample(isr); });
+  frame.pass("gather", [&] { light = gather(isr, coarse); });
+  frame.pass("blur", [&] { blur(isr, coarse, light); });
+  compose(isr, coarse, light);
+  keep_direct_buffers(frame, gbuffer, direct);
+}
+
+std::vector<std::string> unsupported(const Scene& scene, const ParamValues& params) {
+  std::vector<std::string> reasons = direct_light_unsupported(scene, params);
+  if (params.text("pattern") == "grid" && !fills_grid(params.integer("samples")))
+    reasons.push_back(
+        "pattern 'grid' needs 8, 24, 48, 80 or another number of samples that fills a square round a pixel");
+  return reasons;
+}
+
+}  // namespace
+
+Technique isr_technique() {
+  Technique technique;
+  technique.name = "isr";
+  technique.doc =
+      "direct lighting and one bounce of indirect light gathered in screen space (image-space radiosity)";
+  technique.params = isr_params();
+  technique.presets = isr_presets();
+  technique.buffers = direct_buffers();
+  technique.buffers.push_back(
+      {"indirect", "what is added to the direct light, linear RGB; 0 on the background"});
+  technique.buffers.push_back(
+      {"occlusion", "ambient openness, 1 - min(1, sum of eq. 26); 1 on the background"});
+  technique.shaders = direct_shaders();
+  for (const char* pass : {"downsample", "gather", "blur", "light"})
+    technique.shaders.push_back(std::string("techniques/isr/") + pass + ".frag.glsl");
+  technique.bounces = 1;
+  technique.unsupported = unsupported;
+  technique.render = render_isr;
+  return technique;
+}
+
+}  // namespace lightbench

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+
+namespace lightbench {
+
+/// What techniques/isr/gather.frag.glsl has room for.
+inline constexpr int kMaxKernelSamples = 1024;
+
+struct KernelSample {
+  glm::vec2 offset;  ///< in pixels of the coarse image
+  float area;        ///< its share of the kernel, in pixels of the coarse image squared
+};
+
+/// A golden-angle spiral in a disc of `radius`: sample i lies at the distance radius * ((i + 1/2) /
+/// count)^spread. At spread 1/2 the samples are uniform in area; greater ones crowd at the centre. Shares are
+/// the areas of the rings between samples and add up to the disc.
+std::vector<KernelSample> spiral_kernel(int count, float radius, float spread);
+
+/// The cells of the smallest square grid around the centre that has `count` of them besides the centre
+/// itself, nearest rings first; `spacing` apart. Each share is a cell.
+std::vector<KernelSample> grid_kernel(int count, float spacing);
+
+/// 8, 24, 48, 80, ...: the counts that fill a grid.
+bool fills_grid(int count);
+
+}  // namespace lightbench

@@ -1,0 +1,136 @@
+#include "renderer/techniques/isr_params.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "renderer/direct_light.h"
+#include "renderer/techniques/isr_kernel.h"
+
+namespace lightbench {
+namespace {
+
+using Values = std::map<std::string, ParamValue>;
+
+ParamSpec choice(std::string name, std::vector<std::string> choices, std::string doc) {
+  ParamValue first = choices.front();
+  return {std::move(name), ParamType::choice, std::move(first), 0, 0, std::move(choices), std::move(doc)};
+}
+ParamSpec number(std::string name, double value, double min, double max, std::string doc) {
+  return {std::move(name), ParamType::number, value, min, max, {}, std::move(doc)};
+}
+ParamSpec integer(std::string name, long long value, int min, int max, std::string doc) {
+  return {std::move(name), ParamType::integer, value, double(min), double(max), {}, std::move(doc)};
+}
+ParamSpec boolean(std::string name, bool value, std::string doc) {
+  return {std::move(name), ParamType::boolean, value, 0, 0, {}, std::move(doc)};
+}
+
+/// The thesis's equations and constants.
+Values paper_values() {
+  return {{"weighting", "paper"},  {"source", "albedo"}, {"pattern", "grid"}, {"rotation", "none"},
+          {"blur", "gaussian"},    {"k_isr", 0.5},       {"k_ssao", 0.5},     {"normals", "rgb8"},
+          {"energy_bound", false}, {"background", false}};
+}
+
+Values with(Values values, const Values& more) {
+  for (const auto& [name, value] : more) values[name] = value;
+  return values;
+}
+
+}  // namespace
+
+std::vector<ParamSpec> isr_params() {
+  std::vector<ParamSpec> rows{
+      choice("weighting", {"area", "paper"},
+             "area: each sample stands for the surface that its share of the kernel covers, and what is "
+             "gathered is "
+             "multiplied by the albedo at full resolution; paper: eq. 25 as printed, with one coarse pixel "
+             "as patch"),
+      choice(
+          "source", {"lit", "diffuse", "albedo"},
+          "what a sample sends out: lit: the direct picture with emission and highlights; diffuse: without "
+          "highlights, which shine elsewhere than to the camera; albedo: unlit colour, as in the thesis"),
+      integer("samples", 48, 1, kMaxKernelSamples, "samples gathered for each coarse pixel"),
+      choice("pattern", {"spiral", "grid"},
+             "spiral: golden angle, in a disc of `radius`; grid: the square of coarse pixels around it, "
+             "`spacing` "
+             "apart, for 8, 24, 48, 80, ... samples"),
+      number("radius", 1.0, 0.001, 4.0, "of the spiral, in widths of the image"),
+      number("spread", 1.5, 0.25, 4.0,
+             "exponent of the spiral's radius: 0.5 is uniform in area, more crowds samples at the centre, "
+             "where they "
+             "weigh most"),
+      number("spacing", 1.0, 1.0, 256.0, "of the grid, in coarse pixels"),
+      choice("rotation", {"random", "none", "tiled"},
+             "how the kernel is turned from pixel to pixel: by a hash of its place, not at all, or in 16 "
+             "steps that "
+             "repeat every 4x4 pixels"),
+      choice("form_factor", {"point", "disc"},
+             "cos cos dA / (pi r^2), which has no bias; or cos cos dA / (pi r^2 + dA), which has no peaks "
+             "but loses "
+             "light with few samples"),
+      number("form_factor_limit", 1.0, 0.001, 1e6, "largest form factor of one sample"),
+      boolean("energy_bound", true,
+              "where the form factors around a pixel add up to more than 1 after the blur, scale them to 1"),
+      number("min_view_cosine", 0.05, 0.001, 1.0,
+             "smallest cosine to the view that a sample's area is divided by"),
+      boolean("background", true,
+              "gather the scene's background where samples land on it, if it lights: each share is a piece "
+              "of the "
+              "surrounding sphere as the camera sees it"),
+      integer("resolution", 2, 1, 8, "pixels along the edge of a coarse pixel"),
+      choice("blur", {"bilateral", "gaussian", "none"}, "of the gathered light, separable"),
+      integer("blur_radius", 4, 1, 32, "coarse pixels to each side; sigma is half of it and a half more"),
+      number("blur_plane", 0.02, 1e-5, 10.0,
+             "bilateral blur: distance from the tangent plane, as a share of the depth, at which a weight is "
+             "1/e"),
+      number("upsample_epsilon", 0.01, 1e-6, 10.0,
+             "added to the difference in depth, as a share of the depth, that weights are divided by"),
+      number("upsample_tolerance", 0.1, 1e-6, 1e6,
+             "share of the depth by which a coarse pixel may differ; where none fits, the nearest counts"),
+      number("occluder_radius", 2.0, 0.01, 1000.0,
+             "of a sample's sphere in eq. 26, in pixels at its depth, for the ambient occlusion"),
+      number("k_isr", 1.0, 0.0, 1000.0, "factor of the indirect light in eq. 29"),
+      number("k_ssao", 0.0, 0.0, 1.0, "power of the ambient occlusion over direct light in eq. 29"),
+      choice("normals", {"octahedral16", "rgb8"}, "how the G-buffer keeps normals; rgb8: eq. 22"),
+      boolean("direct", true, "show direct light too; else indirect light alone, over black"),
+  };
+  for (ParamSpec& row : shadow_params()) rows.push_back(std::move(row));
+  return rows;
+}
+
+std::vector<ParamPreset> isr_presets() {
+  const Values paper = paper_values();
+  const Values sparse{{"form_factor", "disc"},
+                      {"spread", 0.5},
+                      {"radius", 0.5},
+                      {"min_view_cosine", 0.15},
+                      {"energy_bound", false}};
+  return {
+      {"area", {}, "the defaults: physical weights, 48 samples"},
+      {"area-24", {{"samples", 24LL}}, "the same with 24 samples"},
+      {"area-48", {{"samples", 48LL}}, "the same with 48 samples"},
+      {"area-80", {{"samples", 80LL}}, "the same with 80 samples"},
+      {"area-uniform", sparse, "samples uniform in area with bounded weights: the same sum, biased to dark"},
+      {"paper", with(paper, {{"samples", 48LL}}), "the equations of the thesis as printed, 48 samples"},
+      {"paper-24", with(paper, {{"samples", 24LL}}), "the same with 24 samples"},
+      {"paper-48", with(paper, {{"samples", 48LL}}), "the same with 48 samples"},
+      {"paper-80", with(paper, {{"samples", 80LL}}), "the same with 80 samples"},
+      {"alone", {{"direct", false}}, "display mode \"ISR alone\": indirect light without the direct one"},
+      {"esm", {{"shadows", "esm"}}, "display mode \"ISR + ESM\": with exponential shadow maps"},
+  };
+}
+
+std::vector<std::string> isr_defines(const ParamValues& params) {
+  std::vector<std::string> defines;
+  for (const char* name : {"weighting", "source", "rotation", "form_factor", "blur"}) {
+    std::string define = std::string(name) + "_" + params.text(name);
+    std::transform(define.begin(), define.end(), define.begin(),
+                   [](unsigned char c) { return std::toupper(c); });
+    defines.push_back(std::move(define));
+  }
+  if (params.boolean("energy_bound")) defines.push_back("ENERGY_BOUND");
+  return defines;
+}
+
+}  // namespace lightbench
