@@ -62,13 +62,11 @@ class ObjReceiver {
     tinyobj::LoadObjWithCallback(stream, callbacks, this);
   }
 
-  ObjData take() {
+  ObjData take(const std::vector<std::size_t>& material_lines) {
     drop_forward_references();
     data_.shapes = shapes_.names();
-    for (std::size_t i = 0; i < materials_.names().size(); ++i) {
-      const std::size_t line = line_of_statement(text_, "usemtl", first_use_[i]);
-      data_.materials.push_back({materials_.names()[i], line});
-    }
+    for (std::size_t i = 0; i < materials_.names().size(); ++i)
+      data_.materials.push_back({materials_.names()[i], material_lines[first_use_[i]]});
     return std::move(data_);
   }
 
@@ -188,7 +186,7 @@ ObjData parse_obj(const std::filesystem::path& file, ProblemList& problems) {
   ViewBuffer buffer(checked.text);
   std::istream stream(&buffer);
   receiver.read(stream);
-  ObjData data = receiver.take();
+  ObjData data = receiver.take(checked.material_lines);
   data.colors = std::move(checked.colors);
   data.material_libraries = std::move(checked.material_libraries);
   return data;

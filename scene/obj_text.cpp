@@ -127,7 +127,8 @@ class ObjTextChecker {
       result_.material_libraries.push_back({std::string(stripped(rest)), line_});
       return;
     }
-    if (keyword == "usemtl" || keyword == "o" || keyword == "g" || contains(kIgnored, keyword)) return;
+    if (keyword == "usemtl") return check_material(keyword, rest);
+    if (keyword == "o" || keyword == "g" || contains(kIgnored, keyword)) return;
     if (keyword == "l" || keyword == "p") {
       ++lines_and_points_;
       comment_out(keyword);
@@ -137,6 +138,12 @@ class ObjTextChecker {
       unknown_.add(fmt::format("unknown statement '{}'", keyword.substr(0, 40)), here());
       comment_out(keyword);
     }
+  }
+
+  void check_material(std::string_view keyword, std::string_view rest) {
+    if (!stripped(rest).empty()) return result_.material_lines.push_back(line_);
+    short_lines_.add(fmt::format("usemtl without a name{}", cut()), here());
+    comment_out(keyword);
   }
 
   enum class Kind { normal, texture_coordinate };

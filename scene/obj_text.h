@@ -23,7 +23,8 @@ struct TextLine {
 struct ObjText {
   std::string text;
   std::vector<TextLine> material_libraries;
-  std::vector<glm::vec3> colors;  ///< of each `v`, or empty where no vertex has one
+  std::vector<std::size_t> material_lines;  ///< of each `usemtl`
+  std::vector<glm::vec3> colors;            ///< of each `v`, or empty where no vertex has one
 };
 
 /// Checks what the parser would swallow without a word: words that are not numbers, NaN and infinity,

@@ -161,8 +161,10 @@ struct DepthRange {
   float near;
   float far;
 };
-/// The scene's own near and far where given; else far is where the bounds end and near is far / 10^5 or
-/// nearer than anything in front of the camera needs.
+/// The scene's own near and far where given. Else far is where the bounds end; near is nearer than anything
+/// in front of the camera, even for a picture three times as wide as the view, and lies between far / 10^6
+/// and far / 100. Meant for depth buffers of 32-bit floats. Visits all triangles: milliseconds, so ask once a
+/// view.
 DepthRange depth_range(const Scene& scene, const Camera& camera);
 
 }  // namespace lightbench

@@ -91,15 +91,20 @@ void read_spot(KeyReader& keys, Light& light) {
   });
   keys.optional("inner", [&](const JsonValue& v) {
     light.inner_angle = float(glm::radians(v.number(0, kWidestSpot)));
-    if (light.inner_angle > light.outer_angle) v.fail("the inner angle is larger than the outer one");
+    if (light.outer_angle > 0 && light.inner_angle > light.outer_angle)
+      v.fail("the inner angle is larger than the outer one");
   });
 }
 
 void read_area(KeyReader& keys, Light& light) {
   keys.required("position", [&](const JsonValue& v) { light.position = read_point(v); });
-  keys.required("edge_u", [&](const JsonValue& v) { light.edge_u = read_point(v); });
+  keys.required("edge_u", [&](const JsonValue& v) {
+    light.edge_u = read_point(v);
+    if (light.edge_u == glm::vec3(0)) v.fail("the area light has no area: an edge is zero");
+  });
   keys.required("edge_v", [&](const JsonValue& v) {
     light.edge_v = read_point(v);
+    if (light.edge_u == glm::vec3(0)) return;
     const float area = glm::length(glm::cross(light.edge_u, light.edge_v));
     if (!(area > 1e-6f * glm::length(light.edge_u) * glm::length(light.edge_v)))
       v.fail("the area light has no area: its edges are parallel or zero");

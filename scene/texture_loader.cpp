@@ -100,7 +100,11 @@ TextureIndex TextureLoader::load(const fs::path& file, const std::string& where)
   if (!inserted) return entry->second;
   files_.push_back(file);
   try {
-    textures_.push_back({file, with_alpha(read_image_srgb8(file))});
+    Image8 pixels = read_image_srgb8(file);
+    if (std::max(pixels.width, pixels.height) > kMaxTextureSide)
+      throw Error(fmt::format("{} x {} pixels are more than {} a side", pixels.width, pixels.height,
+                              kMaxTextureSide));
+    textures_.push_back({file, with_alpha(std::move(pixels))});
     entry->second = TextureIndex(textures_.size()) - 1;
   } catch (const Error& error) {
     problems_.error(fmt::format("the texture '{}': {}", file.string(), error.message()), where);

@@ -21,6 +21,9 @@ struct FoundFile {
 };
 std::optional<FoundFile> find_named_file(const std::string& name, const std::filesystem::path& folder);
 
+/// What OpenGL holds here.
+inline constexpr int kMaxTextureSide = 16384;
+
 /// Reads each texture once. A file that cannot be read is one problem, and gives kNoTexture.
 class TextureLoader {
  public:

@@ -1,0 +1,108 @@
+#include "scene/camera_script.h"
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "base/error.h"
+#include "scene_test_files.h"
+
+namespace lightbench {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string error_of_script(const std::string& views) {
+  const SceneTestFiles files;
+  try {
+    read_camera_script(files.write("c.json", "{\"views\": [" + views + "]}"));
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string view_with(const std::string& keys) {
+  return R"({"name": "a", "position": [0, 1, 2], "look_at": [0, 0, 0])" + keys + "}";
+}
+
+TEST(CameraScript, ReadsAView) {
+  const SceneTestFiles files;
+  const auto views = read_camera_script(files.write("c.json", R"({"views": [
+      {"name": "a", "position": [1, 2, 3], "look_at": [4, 5, 6], "up": [0, 0, 1], "fov": 90}]})"));
+  ASSERT_EQ(views.size(), 1u);
+  EXPECT_EQ(views[0].name, "a");
+  EXPECT_EQ(views[0].camera.position, glm::vec3(1, 2, 3));
+  EXPECT_EQ(views[0].camera.look_at, glm::vec3(4, 5, 6));
+  EXPECT_EQ(views[0].camera.up, glm::vec3(0, 0, 1));
+  EXPECT_FLOAT_EQ(views[0].camera.fov, glm::radians(90.0f));
+}
+
+TEST(CameraScript, RejectsAnUnknownKeyWithTheNearestOne) {
+  EXPECT_THAT(error_of_script(view_with(R"(, "fow": 60)")),
+              AllOf(HasSubstr("c.json: $.views[0]"), HasSubstr("did you mean 'fov'")));
+}
+
+TEST(CameraScript, RejectsTwoViewsOfOneName) {
+  EXPECT_THAT(error_of_script(view_with("") + "," + view_with("")),
+              AllOf(HasSubstr("$.views[1]"), HasSubstr("second view named 'a'")));
+}
+
+TEST(CameraScript, RejectsACameraThatLooksAtItself) {
+  EXPECT_THAT(error_of_script(R"({"name": "a", "position": [1, 1, 1], "look_at": [1, 1, 1]})"),
+              HasSubstr("position is its look_at"));
+}
+
+TEST(CameraScript, RejectsUpAlongTheView) {
+  EXPECT_THAT(error_of_script(R"({"name": "a", "position": [0, 5, 0], "look_at": [0, 0, 0]})"),
+              HasSubstr("up is along"));
+  EXPECT_THAT(error_of_script(view_with(R"(, "up": [0, 0, 0])")), HasSubstr("up is zero"));
+}
+
+TEST(CameraScript, RejectsAFieldOfViewThatIsNoAngle) {
+  for (const char* fov : {"0", "180", "-5", "1e9"})
+    EXPECT_THAT(error_of_script(view_with(std::string(R"(, "fov": )") + fov)), HasSubstr("$.views[0].fov"))
+        << fov;
+}
+
+TEST(CameraScript, RejectsCoordinatesThatFloatsCannotHold) {
+  EXPECT_THAT(error_of_script(R"({"name": "a", "position": [1e300, 0, 0], "look_at": [0, 0, 0]})"),
+              HasSubstr("too large"));
+}
+
+TEST(CameraScript, RejectsAScriptWithoutViews) {
+  EXPECT_THAT(error_of_script(""), HasSubstr("has no views"));
+}
+
+TEST(CameraScript, NamesAreOnlyText) {
+  const SceneTestFiles files;
+  const std::string name = "a \"b\" \\ \n <c> \xC3\xA4";
+  const auto text = camera_script_text({{name, Camera{}}});
+  EXPECT_EQ(read_camera_script(files.write("c.json", text))[0].name, name);
+}
+
+RC_GTEST_PROP(CameraScript, TextReadsBackToTheSameFloats, (int seed)) {
+  const SceneTestFiles files;
+  const auto number = [&] {
+    seed = int(unsigned(seed) * 1664525u + 1013904223u);
+    return float(seed) / 3e5f;
+  };
+  View view{"v", {}};
+  view.camera.position = {number(), number(), number()};
+  view.camera.look_at = {number(), number(), number()};
+  view.camera.up = {number(), number(), number()};
+  view.camera.fov = glm::radians(1.0f + std::abs(number()) / 41.0f);
+  RC_PRE(glm::length(glm::cross(glm::normalize(view.camera.look_at - view.camera.position),
+                                glm::normalize(view.camera.up))) > 1e-3f);
+  const View read = read_camera_script(files.write("c.json", camera_script_text({view})))[0];
+  RC_ASSERT(read.camera.position == view.camera.position);
+  RC_ASSERT(read.camera.look_at == view.camera.look_at);
+  RC_ASSERT(read.camera.up == view.camera.up);
+  RC_ASSERT(read.camera.fov == view.camera.fov);
+}
+
+}  // namespace
+}  // namespace lightbench
