@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 
 #include "scene/text_scan.h"
 
@@ -197,7 +198,10 @@ class ObjTextChecker {
   void check_face(std::string_view keyword, std::string_view rest) {
     std::size_t corners = 0;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++corners) {
-      if (is_corner(word)) continue;
+      if (is_corner(word)) {
+        blank_trailing_slashes(word);
+        continue;
+      }
       bad_corners_.add(fmt::format("'{}' is not a corner of a face{}", word.substr(0, 40), cut()), here());
       return comment_out(keyword);
     }
@@ -209,6 +213,11 @@ class ObjTextChecker {
       ++short_faces_;
   }
 
+  // After "1/ 2" the parser would take 2 for a part of the first corner.
+  void blank_trailing_slashes(std::string_view word) {
+    for (; word.ends_with('/'); word.remove_suffix(1)) result_.text[position(word) + word.size() - 1] = ' ';
+  }
+
   void take_color(std::string_view rest) {
     std::array<std::string_view, 6> words;
     for (std::string_view& word : words) word = take_word(rest);
@@ -217,8 +226,22 @@ class ObjTextChecker {
     result_.colors.emplace_back(number_of(words[3]), number_of(words[4]), number_of(words[5]));
   }
 
-  void finish() {
+  void finish_colors() {
+    float largest = 0;
+    for (glm::vec3& c : result_.colors) {
+      c = glm::max(c, glm::vec3(0));
+      largest = std::max({largest, c.x, c.y, c.z});
+    }
+    if (largest > 1) {
+      problems_.warning("vertex colours above 1: they are taken as 0 to 255", file_.string());
+      for (glm::vec3& c : result_.colors) c /= 255.0f;
+    }
+    // Those without one are white.
     if (!result_.colors.empty()) result_.colors.resize(vertices_, glm::vec3(1.0f));
+  }
+
+  void finish() {
+    finish_colors();
     if (short_faces_ > 0)
       problems_.warning(fmt::format("{} faces of fewer than 3 corners are left out", short_faces_),
                         file_.string());

@@ -1,0 +1,305 @@
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/image_io.h"
+#include "scene/obj_loader.h"
+#include "scene_test_files.h"
+
+namespace lightbench {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+struct Loaded {
+  ObjModel model;
+  std::vector<Texture> textures;
+  std::string problems;
+
+  const Material& material(const std::string& name) const {
+    const auto found = std::find_if(model.materials.begin(), model.materials.end(),
+                                    [&](const Material& m) { return m.name == name; });
+    EXPECT_NE(found, model.materials.end()) << name;
+    return *found;
+  }
+};
+
+Loaded load(const SceneTestFiles& files, const std::string& name) {
+  ProblemList problems;
+  TextureLoader textures(problems);
+  Loaded result;
+  result.model = load_obj(files.path(name), 0.7f, textures, problems);
+  result.textures = textures.take_textures();
+  result.problems = described(problems.all(), files.path("").parent_path());
+  return result;
+}
+
+// A textured triangle for each named material, and an MTL file.
+Loaded load_materials(const SceneTestFiles& files, const std::vector<std::string>& names,
+                      const std::string& mtl) {
+  std::string obj = "mtllib m.mtl\nvt 0 0\n";
+  int i = 0;
+  for (const std::string& name : names) {
+    const std::string y = std::to_string(i++);
+    obj += "v 0 " + y + " 0\nv 1 " + y + " 0\nv 0 " + y + " 1\nusemtl " + name + "\nf -3/1 -2/1 -1/1\n";
+  }
+  files.write("m.obj", obj);
+  files.write("m.mtl", mtl);
+  return load(files, "m.obj");
+}
+
+Image8 rgb(std::uint8_t r, std::uint8_t g, std::uint8_t b) {
+  Image8 image(2, 1, 3);
+  for (int x = 0; x < 2; ++x) {
+    image.pixel(x, 0)[0] = r;
+    image.pixel(x, 0)[1] = g;
+    image.pixel(x, 0)[2] = b;
+  }
+  return image;
+}
+
+TEST(ObjMaterials, ReadsColorsHighlightsAndEmission) {
+  const SceneTestFiles files;
+  const auto loaded =
+      load_materials(files, {"a"}, "newmtl a\nKd 0.1 0.2 0.3\nKs 0.5 0.5 0.5\nNs 40\nKe 2 3 4\n");
+  const Material& m = loaded.material("a");
+  EXPECT_EQ(m.diffuse, glm::vec3(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(m.specular, 0.5f);
+  EXPECT_EQ(m.exponent, 40.0f);
+  EXPECT_EQ(m.emission, glm::vec3(2, 3, 4));
+  EXPECT_EQ(loaded.problems, "");
+}
+
+TEST(ObjMaterials, TakesTheMeanOfAColoredHighlightAndWarns) {
+  const SceneTestFiles files;
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nKs 0.3 0.6 0.9\n");
+  EXPECT_FLOAT_EQ(loaded.material("a").specular, 0.6f);
+  EXPECT_THAT(loaded.problems, HasSubstr("the colour of Ks (its mean is used) of 1 material (a)"));
+}
+
+TEST(ObjMaterials, AColorOfOneNumberIsGrey) {
+  const SceneTestFiles files;
+  EXPECT_EQ(load_materials(files, {"a"}, "newmtl a\nKd 0.25\n").material("a").diffuse, glm::vec3(0.25f));
+}
+
+TEST(ObjMaterials, WithoutKdIsWhiteUnderATextureElseGrey) {
+  const SceneTestFiles files;
+  write_png(files.path("t.png"), rgb(1, 2, 3));
+  const auto loaded = load_materials(files, {"a", "b"}, "newmtl a\nmap_Kd t.png\nnewmtl b\n");
+  EXPECT_EQ(loaded.material("a").diffuse, glm::vec3(1));
+  EXPECT_EQ(loaded.material("b").diffuse, glm::vec3(0.8f));
+}
+
+TEST(ObjMaterials, KeepsTextureBytesAsStored) {
+  const SceneTestFiles files;
+  Image8 image(2, 2, 4);
+  for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = std::uint8_t(17 * i);
+  write_png(files.path("t.png"), image);
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd t.png\n");
+  EXPECT_EQ(loaded.textures.at(0).pixels, image) << "colour is not multiplied by alpha";
+}
+
+TEST(ObjMaterials, ReadsNamesWithBlanksUnicodeAndOddCharacters) {
+  const SceneTestFiles files;
+  const auto loaded =
+      load_materials(files, {"a b  c", "\xC3\xA4\xE2\x82\xAC", "#x;\"{}", "d"},
+                     "newmtl  a b  c \r\nKd 1 0 0\r\nnewmtl \xC3\xA4\xE2\x82\xAC\r\nKd 0 1 0\r\n"
+                     "newmtl #x;\"{}\r\nKd 0 0 1\r\nNEWMTL d\r\n\tkd\t1\t1\t0\r\n");
+  EXPECT_EQ(loaded.material("a b  c").diffuse, glm::vec3(1, 0, 0));
+  EXPECT_EQ(loaded.material("\xC3\xA4\xE2\x82\xAC").diffuse, glm::vec3(0, 1, 0));
+  EXPECT_EQ(loaded.material("#x;\"{}").diffuse, glm::vec3(0, 0, 1));
+  EXPECT_EQ(loaded.material("d").diffuse, glm::vec3(1, 1, 0));
+  EXPECT_EQ(loaded.problems, "");
+}
+
+TEST(ObjMaterials, FindsTexturesWithBackslashesBlanksAndOptions) {
+  const SceneTestFiles files;
+  write_png(files.path("sub folder/t 1.png"), rgb(9, 8, 7));
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd -blendu on sub folder\\t 1.png\n");
+  ASSERT_EQ(loaded.textures.size(), 1u);
+  EXPECT_EQ(loaded.textures[0].pixels.data[0], 9);
+  EXPECT_EQ(loaded.problems, "");
+}
+
+TEST(ObjMaterials, FindsTexturesThatDifferInCaseAndSaysSo) {
+  const SceneTestFiles files;
+  write_png(files.path("tex/Wood.PNG"), rgb(1, 1, 1));
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd TEX/wood.png\n");
+  EXPECT_EQ(loaded.material("a").diffuse_texture, 0);
+  EXPECT_THAT(loaded.problems, HasSubstr("warning m.mtl:2: there is no texture 'TEX/wood.png'"));
+}
+
+TEST(ObjMaterials, FindsTexturesOfAnotherMachinesPathsBesideTheFile) {
+  const SceneTestFiles files;
+  write_png(files.path("wood.png"), rgb(1, 1, 1));
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd C:\\Users\\me\\wood.png\n");
+  EXPECT_EQ(loaded.material("a").diffuse_texture, 0);
+}
+
+TEST(ObjMaterials, SharesATextureBetweenMaterials) {
+  const SceneTestFiles files;
+  write_png(files.path("t.png"), rgb(1, 1, 1));
+  const auto loaded = load_materials(files, {"a", "b"}, "newmtl a\nmap_Kd t.png\nnewmtl b\nmap_Kd ./t.png\n");
+  EXPECT_EQ(loaded.textures.size(), 1u);
+}
+
+TEST(ObjMaterials, CutsOutByAlphaWhereTheFileHasOne) {
+  const SceneTestFiles files;
+  Image8 leaf(1, 1, 4, 255);
+  leaf.data[3] = 0;
+  write_png(files.path("leaf.png"), leaf);
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd leaf.png\nmap_d leaf.png\n");
+  EXPECT_EQ(loaded.material("a").cutout_texture, 0);
+  EXPECT_EQ(loaded.material("a").diffuse_texture, 0);
+  EXPECT_EQ(loaded.textures.size(), 1u);
+}
+
+TEST(ObjMaterials, CutsOutByRedWhereTheFileHasNoAlpha) {
+  const SceneTestFiles files;
+  write_png(files.path("mask.png"), rgb(30, 30, 30));
+  write_png(files.path("t.png"), rgb(1, 1, 1));
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd t.png\nmap_d mask.png\n");
+  const TextureIndex cutout = loaded.material("a").cutout_texture;
+  ASSERT_NE(cutout, kNoTexture);
+  EXPECT_EQ(loaded.textures[std::size_t(cutout)].pixels.data[3], 30);
+}
+
+TEST(ObjMaterials, AColorTextureWithoutAlphaIsNoMask) {
+  const SceneTestFiles files;
+  write_png(files.path("t.png"), rgb(10, 10, 10));
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd t.png\nmap_d t.png\n");
+  EXPECT_EQ(loaded.material("a").cutout_texture, kNoTexture);
+}
+
+TEST(ObjMaterials, KeepsCoincidentTrianglesOfWhichOneIsCutOut) {
+  const SceneTestFiles files;
+  Image8 leaf(1, 1, 4, 255);
+  leaf.data[3] = 0;
+  write_png(files.path("leaf.png"), leaf);
+  files.write("m.mtl", "newmtl leaf\nmap_d leaf.png\nnewmtl wall\nnewmtl other\n");
+  files.write("m.obj",
+              "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n"
+              "usemtl leaf\nf 1/1 2/1 3/1\nusemtl wall\nf 1/1 2/1 3/1\nusemtl other\nf 3/1 2/1 1/1\n");
+  EXPECT_EQ(load(files, "m.obj").model.meshes[0].triangles.size(), 2u);
+}
+
+TEST(ObjMaterials, WarnsOnceForEachKindThatIsNotShown) {
+  const SceneTestFiles files;
+  std::string mtl;
+  std::vector<std::string> names;
+  for (int i = 0; i < 40; ++i) {
+    names.push_back("m" + std::to_string(i));
+    mtl += "newmtl " + names.back() + "\nmap_Bump gone.png\nd 0.5\nmap_Ks x.png\nmap_Ke y.png\n";
+  }
+  const auto loaded = load_materials(files, names, mtl);
+  EXPECT_THAT(
+      loaded.problems,
+      AllOf(HasSubstr("not shown: map_Bump of 40 materials (m0, m1, m2, m3 and 36 more)"),
+            HasSubstr("not shown: map_Ks of 40 materials"), HasSubstr("not shown: map_Ke of 40 materials"),
+            HasSubstr("not shown: transparency (d or Tr) of 40 materials")));
+  EXPECT_EQ(std::count(loaded.problems.begin(), loaded.problems.end(), '\n'), 4);
+}
+
+TEST(ObjMaterials, SaysNothingAboutMaterialsThatNoFaceUses) {
+  const SceneTestFiles files;
+  const auto loaded =
+      load_materials(files, {"a"}, "newmtl a\nnewmtl b\nmap_Kd gone.png\nd 0.1\nbump x.png\n");
+  EXPECT_EQ(loaded.problems, "");
+  EXPECT_EQ(loaded.model.materials.size(), 1u);
+  EXPECT_EQ(loaded.model.unused_materials, std::vector<std::string>{"b"});
+}
+
+TEST(ObjMaterials, OpaqueMaterialsAreNotTransparent) {
+  const SceneTestFiles files;
+  const auto loaded = load_materials(files, {"a", "b"}, "newmtl a\nd 1\nnewmtl b\nTr 0\n");
+  EXPECT_EQ(loaded.problems, "");
+}
+
+TEST(ObjMaterials, WarnsAboutTextureOptionsThatMoveTheTexture) {
+  const SceneTestFiles files;
+  write_png(files.path("t.png"), rgb(1, 1, 1));
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd -s 2 2 1 t.png\n");
+  EXPECT_THAT(loaded.problems, HasSubstr("a texture's options"));
+  EXPECT_EQ(loaded.material("a").diffuse_texture, 0);
+}
+
+TEST(ObjMaterials, ReadsSeveralLibrariesAndNamesWithBlanks) {
+  const SceneTestFiles files;
+  files.write("a.mtl", "newmtl a\nKd 1 0 0\n");
+  files.write("b.mtl", "newmtl b\nKd 0 1 0\n");
+  files.write("c d.mtl", "newmtl c\nKd 0 0 1\n");
+  files.write("m.obj",
+              "mtllib a.mtl b.mtl\nmtllib c d.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+              "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 4\nusemtl c\nf 1 3 4\n");
+  const auto loaded = load(files, "m.obj");
+  EXPECT_EQ(loaded.problems, "");
+  EXPECT_EQ(loaded.material("b").diffuse, glm::vec3(0, 1, 0));
+  EXPECT_EQ(loaded.material("c").diffuse, glm::vec3(0, 0, 1));
+  EXPECT_EQ(loaded.model.files.size(), 4u);
+}
+
+TEST(ObjMaterials, TheFirstOfTwoMaterialsOfOneNameCounts) {
+  const SceneTestFiles files;
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nKd 1 0 0\nnewmtl a\nKd 0 1 0\n");
+  EXPECT_EQ(loaded.material("a").diffuse, glm::vec3(1, 0, 0));
+  EXPECT_THAT(loaded.problems, HasSubstr("warning m.mtl:3: material 'a' stands in line 1 too"));
+}
+
+TEST(ObjMaterials, WarnsWhereATextureHasNoCoordinates) {
+  const SceneTestFiles files;
+  write_png(files.path("t.png"), rgb(1, 1, 1));
+  files.write("m.mtl", "newmtl a\nmap_Kd t.png\n");
+  files.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n");
+  EXPECT_THAT(load(files, "m.obj").problems,
+              HasSubstr("a texture, without texture coordinates of 1 material (a)"));
+}
+
+struct BadMtl {
+  const char* name;
+  const char* text;
+  const char* problem;
+};
+
+void PrintTo(const BadMtl& bad, std::ostream* stream) {
+  *stream << bad.name;
+}
+
+class ObjMaterialsBadInput : public ::testing::TestWithParam<BadMtl> {};
+
+TEST_P(ObjMaterialsBadInput, IsListedWithItsLine) {
+  const SceneTestFiles files;
+  files.write("cut.png", encode_png(rgb(1, 2, 3)).substr(0, 50));
+  files.write("text.png", "no image at all");
+  files.write("huge.ppm", "P6\n100000 100000\n255\nxxxx");
+  EXPECT_THAT(load_materials(files, {"a"}, GetParam().text).problems, HasSubstr(GetParam().problem));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, ObjMaterialsBadInput,
+    ::testing::Values(
+        BadMtl{"NanColor", "newmtl a\nKd nan 0 0\n",
+               "error m.mtl:2: Kd has 'nan', which is no finite number"},
+        BadMtl{"WordAsColor", "newmtl a\nKd red\n", "error m.mtl:2: Kd has 'red'"},
+        BadMtl{"NegativeColor", "newmtl a\nKd 1 -1 0\n", "error m.mtl:2: Kd is negative"},
+        BadMtl{"TwoNumbers", "newmtl a\nKd 1 1\n", "error m.mtl:2: Kd has 2 numbers where 3 are needed"},
+        BadMtl{"Spectral", "newmtl a\nKd spectral x.rfl\n", "error m.mtl:2: Kd is given as 'spectral'"},
+        BadMtl{"CutInAColor", "newmtl a\nKd 0.5 0.",
+               "error m.mtl:2: Kd has 2 numbers where 3 are needed; the file ends in the middle"},
+        BadMtl{"NoExponent", "newmtl a\nNs\n", "error m.mtl:2: Ns without a number"},
+        BadMtl{"NoName", "newmtl a\nnewmtl\n", "error m.mtl:2: newmtl without a name"},
+        BadMtl{"BeforeNewmtl", "Kd 1 1 1\nnewmtl a\n", "error m.mtl:1: 'Kd' before the first newmtl"},
+        BadMtl{"Unknown", "newmtl a\nKq 1\n", "warning m.mtl:2: unknown statement 'Kq'"},
+        BadMtl{"MissingTexture", "newmtl a\nmap_Kd gone.png\n",
+               "error m.mtl:2: the texture 'gone.png' is missing"},
+        BadMtl{"NoTexture", "newmtl a\nmap_Kd\n", "error m.mtl:2: map_Kd without a file"},
+        BadMtl{"TruncatedTexture", "newmtl a\nmap_Kd cut.png\n", "error m.mtl:2: the texture 'cut.png': "},
+        BadMtl{"TextAsTexture", "newmtl a\nmap_Kd text.png\n", "error m.mtl:2: the texture 'text.png': "},
+        BadMtl{"HugeTexture", "newmtl a\nmap_Kd huge.ppm\n", "100000 x 100000 pixels is too large"},
+        BadMtl{"FolderAsTexture", "newmtl a\nmap_Kd .\n", "error m.mtl:2: the texture"},
+        BadMtl{"Misspelt", "newmtl aa\n", "no material library has the material 'a'"}),
+    [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace lightbench
