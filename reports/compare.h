@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "reports/metric.h"
+
+namespace lightbench {
+
+/// Two image files of any kind that can be read, and what to make of them.
+struct CompareOptions {
+  std::filesystem::path reference{};
+  std::filesystem::path image{};
+  std::filesystem::path baseline{};    ///< may be empty: then metrics that need one are undefined
+  std::filesystem::path mask{};        ///< for masked metrics; empty: the reference's alpha, if it has one
+  std::vector<std::string> metrics{};  ///< empty: all, but those that need a baseline where there is none
+  std::filesystem::path difference{};  ///< a PNG to write; empty: none
+  std::filesystem::path heat{};        ///< the same
+  double heat_scale = 64;              ///< of 255: the error at the end of the heat map's bar
+};
+
+struct CompareResult {
+  int width = 0;
+  int height = 0;
+  std::vector<std::pair<std::string, MetricValue>> metrics;  ///< in the order asked for
+  std::size_t mask_pixels = 0;                               ///< that masked metrics were computed over
+  std::string mask_source;  ///< "all pixels", "alpha of FILE", or the mask's file
+};
+
+/// Compares on the 0..255 scale of 8-bit sRGB. A mask file counts where its alpha is at least one half; one
+/// whose alpha is 1 everywhere, or that has none, counts where a colour component is not 0. Throws Error for
+/// a missing or broken file, NaN or infinity in one, sizes that differ, an unknown metric, and an output that
+/// is no PNG or one of the inputs.
+CompareResult compare_files(const CompareOptions& options);
+
+}  // namespace lightbench
