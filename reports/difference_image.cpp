@@ -27,7 +27,7 @@ int absolute_difference(std::uint8_t a, std::uint8_t b) {
 
 /// One dot of the bar's labels, in pixels: legible in a picture scaled down to a report's thumbnail column.
 int label_dot(int width) {
-  return std::clamp(width / 420, 1, 16);
+  return std::clamp(width / 320, 1, 16);
 }
 
 struct BarLayout {

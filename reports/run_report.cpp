@@ -1,5 +1,7 @@
 #include "reports/run_report.h"
 
+#include <cmath>
+
 namespace lightbench {
 
 MetricValue metric_of(const ReportScore& score, const std::string& metric) {
@@ -8,7 +10,10 @@ MetricValue metric_of(const ReportScore& score, const std::string& metric) {
   if (score.outcome == Outcome::skipped)
     return MetricValue::undefined(score.error.empty() ? "it was skipped" : "it was skipped: " + score.error);
   const auto found = score.metrics.find(metric);
-  return found == score.metrics.end() ? MetricValue::undefined("it was not computed") : found->second;
+  if (found == score.metrics.end()) return MetricValue::undefined("it was not computed");
+  if (found->second.value && !std::isfinite(*found->second.value))
+    return MetricValue::undefined("not a finite number");
+  return found->second;
 }
 
 MeanValue mean_metric(const RunReport& report, const std::string& metric, const std::string& variant,

@@ -67,9 +67,9 @@ std::string glossary(const RunReport& report) {
     const char* better = metric.better == Better::higher  ? "Higher is better."
                          : metric.better == Better::lower ? "Lower is better."
                                                           : "";
-    rows +=
-        fmt::format("<div><dt>{}</dt><dd>{}{}{}{} {}</dd></div>", h(name), h(metric.doc),
-                    metric.unit.empty() ? "" : ", ", h(metric.unit), metric.doc.empty() ? "" : ".", better);
+    rows += fmt::format("<div><dt>{}</dt><dd>{}{}{}{} {}</dd></div>", h(name), h(metric.doc),
+                        metric.unit == "of 255" ? ", " : "", metric.unit == "of 255" ? h(metric.unit) : "",
+                        metric.doc.empty() ? "" : ".", better);
   }
   return rows.empty() ? "" : "<dl class=\"glossary\">" + rows + "</dl>";
 }

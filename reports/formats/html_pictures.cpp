@@ -183,7 +183,7 @@ std::string toolbar(const RunReport& report) {
       "<label>Sort <select id=\"picture-sort\"><option value=\"\">as in the job</option>"
       "<option value=\"name\">by name</option><option value=\"gain\">lowest gain first</option>"
       "<option value=\"error\">largest error first</option></select></label>"
-      "<label>Size <input type=\"range\" id=\"picture-size\" min=\"140\" max=\"640\" step=\"20\"></label>"
+      "<label>Size <input type=\"range\" id=\"picture-size\" min=\"140\" max=\"640\" step=\"1\"></label>"
       "<output id=\"picture-count\"></output></form>\n",
       changes ? "<label><input type=\"radio\" name=\"show\" value=\"change\">Against baseline</label>" : "");
 }

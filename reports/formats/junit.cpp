@@ -30,7 +30,7 @@ void add_case(Suite& suite, const std::string& group, const std::string& name, d
   ++suite.tests;
   suite.seconds += seconds;
   suite.cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"",
-                             escape_markup(group), escape_markup(name), seconds);
+                             escape_markup(plain_line(group)), escape_markup(plain_line(name)), seconds);
   suite.cases += body.empty() ? "/>\n" : ">\n" + body + "    </testcase>\n";
 }
 

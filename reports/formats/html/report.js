@@ -52,7 +52,7 @@
 
   const fittingSize = () => {
     const columns = pictureTable.tHead.rows[0].cells.length;
-    const room = pictureTable.parentElement.clientWidth / columns - 18;
+    const room = (pictureTable.parentElement.clientWidth - 20) / columns - 18;
     return Math.round(Math.min(420, Math.max(180, room)));
   };
 

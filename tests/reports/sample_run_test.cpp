@@ -1,0 +1,85 @@
+#include "tests/reports/sample_run.h"
+
+namespace lightbench::test {
+namespace {
+
+ReportImage image(const std::string& scene, const std::string& view, const std::string& source,
+                  const std::string& folder, double seconds) {
+  ReportImage result;
+  result.scene = scene;
+  result.view = view;
+  result.source = source;
+  result.png = folder + source + ".png";
+  result.exr = folder + source + ".exr";
+  result.seconds = seconds;
+  return result;
+}
+
+ReportScore score(const std::string& scene, const std::string& view, const std::string& variant,
+                  const std::string& folder, const std::vector<double>& values) {
+  ReportScore result;
+  result.scene = scene;
+  result.view = view;
+  result.variant = variant;
+  result.reference = "povray";
+  const char* names[] = {"mean_error", "pearson", "gain"};
+  for (std::size_t i = 0; i < values.size(); ++i) result.metrics[names[i]] = MetricValue::of(values[i]);
+  result.difference_png = folder + variant + "~povray.diff.png";
+  result.heat_png = folder + variant + "~povray.heat.png";
+  return result;
+}
+
+void add_view(RunReport& run, const std::string& scene, const std::string& view, const std::string& folder) {
+  ReportImage reference = image(scene, view, "povray", folder, 41.5);
+  reference.is_reference = true;
+  reference.pov = folder + "povray.pov";
+  run.images.push_back(reference);
+  run.images.push_back(image(scene, view, "direct", folder, 0.25));
+  run.images.push_back(image(scene, view, "isr-48", folder, 0.5));
+  run.images.back().passes = {{"g-buffer", 0.125}, {"gather", 0.375}};
+}
+
+void describe_job(RunReport& run) {
+  run.job = "rooms & more";
+  run.job_file = "jobs/rooms.json";
+  run.started = "2026-01-02T03:04:05Z";
+  run.seconds = 200;
+  run.width = 320;
+  run.height = 240;
+  run.baseline = "direct";
+  run.primary_reference = "povray";
+  run.metric_names = {"mean_error", "pearson", "gain"};
+  run.tools = {{"POV-Ray", "3.7.0.10"}, {"lightbench", "0.1.0"}};
+  run.variants = {{"direct", "direct", {{"shadows", "esm"}}, 0, "llvmpipe"},
+                  {"isr-48", "isr", {{"samples", "48"}}, 1, "llvmpipe"}};
+  run.references = {{"povray", "povray", {{"count", "250"}}, 2, "POV-Ray 3.7.0.10"}};
+  run.scenes = {{"office", "office.json", 297123, {}, {{"chair", "someone", "CC-BY 3.0"}}},
+                {kHostileScene, "x.obj", 12, {"map_Bump is not used"}, {}}};
+}
+
+}  // namespace
+
+RunReport sample_run() {
+  RunReport run;
+  describe_job(run);
+  add_view(run, "office", "desk", "views/office/desk/");
+  add_view(run, kHostileScene, kHostileView, "views/%3C/a b#?/");
+  run.scores = {score("office", "desk", "direct", "views/office/desk/", {8, 0.9, 0}),
+                score("office", "desk", "isr-48", "views/office/desk/", {6, 0.95, 25}),
+                score(kHostileScene, kHostileView, "direct", "views/%3C/a b#?/", {4, 0.5, 0}),
+                score(kHostileScene, kHostileView, "isr-48", "", {})};
+  run.scores[2].metrics["pearson"] = MetricValue::undefined("the reference is constant");
+  run.scores[3].outcome = Outcome::failed;
+  run.scores[3].error = kHostileError;
+  run.scores[3].difference_png = run.scores[3].heat_png = "";
+  run.images.back().outcome = Outcome::failed;
+  run.images.back().error = kHostileError;
+  run.images.back().png = run.images.back().exr = "";
+  run.images[1].cached = true;
+  run.scores[1].warnings = {"1 bounce compared with a reference of 2"};
+  run.gates = {{"{\"metric\":\"gain\",\"variant\":\"isr-48\",\"min\":0}", false, kHostileError},
+               {"mean mean_error of direct <= 10", true, "6 mean of 2 views"}};
+  return run;
+}
+
+}  // namespace lightbench::test
