@@ -33,10 +33,10 @@ std::vector<BufferSpec> direct_buffers() {
 }
 
 std::vector<std::string> direct_shaders() {
-  return {"shaders/surface.vert.glsl",       "shaders/surface.frag.glsl",   "shaders/fullscreen.vert.glsl",
-          "shaders/direct.frag.glsl",        "shaders/caster.vert.glsl",    "shaders/caster.frag.glsl",
-          "shaders/shadow_bounds.frag.glsl", "shaders/esm_depth.frag.glsl", "shaders/esm_blur.frag.glsl",
-          "shaders/decode_normals.frag.glsl"};
+  return {"shaders/surface.vert.glsl",        "shaders/surface.frag.glsl",    "shaders/fullscreen.vert.glsl",
+          "shaders/direct.frag.glsl",         "shaders/caster.vert.glsl",     "shaders/caster.frag.glsl",
+          "shaders/shadow_bounds.frag.glsl",  "shaders/esm_depth.frag.glsl",  "shaders/esm_blur.frag.glsl",
+          "shaders/decode_normals.frag.glsl", "shaders/depth_range.frag.glsl"};
 }
 
 DirectLightOutputs wanted_outputs(const FrameContext& frame) {

@@ -110,7 +110,14 @@ std::vector<ParamSpec> shadow_params() {
        16,
        16384,
        {},
-       "texels along an edge of a directional light's shadow map (hard, pcf)"},
+       "texels along an edge of each slice of a directional light's shadow map (hard, pcf)"},
+      {"directional_slices",
+       ParamType::integer,
+       texels(defaults.slices),
+       1,
+       kMaxShadowViews,
+       {},
+       "slices of the camera's depths that each get a directional shadow map of their own (hard, pcf)"},
       {"shadow_bias",
        ParamType::number,
        double{defaults.bias},
@@ -155,6 +162,7 @@ ShadowOptions shadow_options(const ParamValues& params) {
     if (params.text("shadows") == mode.name) options.mode = mode.mode;
   options.point_size = params.integer("shadow_size");
   options.directional_size = params.integer("directional_shadow_size");
+  options.slices = params.integer("directional_slices");
   options.bias = float(params.number("shadow_bias"));
   options.pcf_radius = params.integer("pcf_radius");
   options.esm_size = params.integer("esm_size");

@@ -14,12 +14,35 @@ namespace {
 // Pixels along the edge of the blocks that are measured by one invocation.
 constexpr int kMeasuredBlock = 32;
 
-using Extents = std::array<ViewExtent, 6>;
+using Extents = std::array<ViewExtent, kMaxShadowViews>;
+
+int blocks_along(int pixels) {
+  return (pixels + kMeasuredBlock - 1) / kMeasuredBlock;
+}
+
+// How many views a light's map has.
+int view_count(ShadowProjection projection, const ShadowOptions& options) {
+  if (projection == ShadowProjection::cube) return 6;
+  // An exponential map's blur is wide: slices would show where its width changes.
+  return projection == ShadowProjection::orthographic && options.mode != ShadowMode::esm ? options.slices : 1;
+}
+
+void slice_seen_depths(FrameContext& frame, const GBuffer& gbuffer, int count, LightBlock& block) {
+  const GlTexture blocks(TexelFormat::rg32f, blocks_along(gbuffer.width), blocks_along(gbuffer.height));
+  const Program& program = frame.fullscreen_program("shaders/depth_range.frag.glsl");
+  program.set("block_size", kMeasuredBlock);
+  frame.draw_fullscreen(Framebuffer({&blocks}), program);
+  const Image ranges = read_back(blocks, 2);
+  glm::vec2 range(1e30f, -1e30f);
+  for (std::size_t i = 0; i < ranges.data.size(); i += 2)
+    range = glm::vec2(std::min(range.x, ranges.data[i]), std::max(range.y, ranges.data[i + 1]));
+  if (range.x <= range.y) slice_depths(block, range.x, range.y, count);
+}
 
 // What the camera sees of each view: measured in blocks on the GPU, gathered here.
-Extents seen_extents(FrameContext& frame, const GBuffer& gbuffer, ShadowProjection projection) {
-  const int width = (gbuffer.width + kMeasuredBlock - 1) / kMeasuredBlock;
-  const int height = (gbuffer.height + kMeasuredBlock - 1) / kMeasuredBlock;
+Extents seen_extents(FrameContext& frame, const GBuffer& gbuffer, ShadowProjection projection, int views) {
+  const int width = blocks_along(gbuffer.width);
+  const int height = blocks_along(gbuffer.height);
   std::array<GlTexture, 6> blocks;
   for (GlTexture& texture : blocks) texture = GlTexture(TexelFormat::rgba32f, width, height);
   const Framebuffer target({&blocks[0], &blocks[1], &blocks[2], &blocks[3], &blocks[4], &blocks[5]});
@@ -28,7 +51,7 @@ Extents seen_extents(FrameContext& frame, const GBuffer& gbuffer, ShadowProjecti
   program.set("block_size", kMeasuredBlock);
   frame.draw_fullscreen(target, program);
   Extents extents;
-  for (int view = 0; view < view_count(projection); ++view) {
+  for (int view = 0; view < views; ++view) {
     const Image values = read_back(blocks[std::size_t(view)], 4);
     ViewExtent& extent = extents[std::size_t(view)];
     for (std::size_t i = 0; i < values.data.size(); i += 4) {
@@ -108,16 +131,17 @@ void blur_in_log_space(FrameContext& frame, const ShadowOptions& options, Shadow
 const GlTexture& draw_shadow_map(FrameContext& frame, const GBuffer& gbuffer, const Light& light,
                                  const ShadowOptions& options, ShadowTextures& textures, LightBlock& block) {
   const ShadowProjection projection = shadow_projection(light);
-  const int views = view_count(projection);
+  const int views = view_count(projection, options);
   const int size = map_size(options, projection);
   const bool exponential = options.mode == ShadowMode::esm;
   place_shadow_views(block, light, frame.gpu_scene().bounds());
   block.shadow_extent.x = float(size);
   block.shadow_extent.y = 1.0f / float(size);
+  gbuffer.bind();
+  if (projection == ShadowProjection::orthographic) slice_seen_depths(frame, gbuffer, views, block);
   const Buffer unfitted(&block, sizeof block);
   unfitted.bind_uniform(1);
-  gbuffer.bind();
-  Extents extents = seen_extents(frame, gbuffer, projection);
+  Extents extents = seen_extents(frame, gbuffer, projection, views);
   if (projection == ShadowProjection::perspective) clip_to_cone(extents[0], light);
   for (int view = 0; view < views; ++view)
     fit_view(block.views[std::size_t(view)], extents[std::size_t(view)], size, map_margin(options));

@@ -14,9 +14,12 @@
 
 namespace lightbench {
 
+inline constexpr int kMaxShadowViews = 6;
+
 /// The block Light of shaders/light.glsl, std140. Shadow views are the six faces of a cube around a point
-/// light, the one perspective view of a narrow spot, or the one orthographic view of a directional light.
-/// Each is fitted to what the camera sees of it, so that no texels are spent elsewhere.
+/// light, the one perspective view of a narrow spot, or the orthographic views of a directional light, one
+/// for each slice of the camera's depths (slices grow with the distance). Each is fitted to what the camera
+/// sees of it, so that no texels are spent elsewhere.
 struct LightBlock {
   struct View {
     glm::vec4 right;
@@ -30,13 +33,13 @@ struct LightBlock {
   glm::vec4 cone;
   glm::vec4 shadow_origin;
   glm::vec4 shadow_extent;
-  std::array<View, 6> views;
+  glm::vec4 shadow_slices;
+  std::array<View, kMaxShadowViews> views;
 };
-static_assert(sizeof(LightBlock) == (7 + 18) * 16);
+static_assert(sizeof(LightBlock) == (8 + 18) * 16);
 
 enum class ShadowProjection { cube, perspective, orthographic };
 ShadowProjection shadow_projection(const Light& light);
-int view_count(ShadowProjection projection);
 /// What shaders that include light.glsl are compiled with.
 ShaderDefines projection_defines(ShadowProjection projection);
 
@@ -44,6 +47,9 @@ ShaderDefines projection_defines(ShadowProjection projection);
 LightBlock light_block(const Light& light, std::size_t light_count);
 /// Sets origin, depth range and views, which are not fitted yet.
 void place_shadow_views(LightBlock& block, const Light& light, const Bounds& casters);
+
+/// Divides the depths from `nearest` to `farthest` (eye-space z / far) among `count` orthographic views.
+void slice_depths(LightBlock& block, float nearest, float farthest, int count);
 
 /// Smallest and largest coordinates seen across a view; empty where nothing is seen.
 struct ViewExtent {

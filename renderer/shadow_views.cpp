@@ -55,7 +55,7 @@ void place_orthographic(LightBlock& block, const Light& light, const Bounds& cas
   const glm::vec3 origin = casters.center() + light.direction * (first - spare);
   block.shadow_origin = glm::vec4(origin, last - first + 2 * spare);
   block.shadow_extent.z = block.shadow_origin.w;
-  block.views[0] = view_of(axes_along(light.direction));
+  block.views.fill(view_of(axes_along(light.direction)));
 }
 
 void place_perspective(LightBlock& block, const Light& light, const Bounds& casters) {
@@ -78,10 +78,6 @@ ShadowProjection shadow_projection(const Light& light) {
   if (light.kind == LightKind::spot && light.outer_angle <= kWidestPerspective)
     return ShadowProjection::perspective;
   return ShadowProjection::cube;
-}
-
-int view_count(ShadowProjection projection) {
-  return projection == ShadowProjection::cube ? 6 : 1;
 }
 
 ShaderDefines projection_defines(ShadowProjection projection) {
@@ -112,6 +108,12 @@ void place_shadow_views(LightBlock& block, const Light& light, const Bounds& cas
     place_orthographic(block, light, casters);
   else
     place_perspective(block, light, casters);
+}
+
+void slice_depths(LightBlock& block, float nearest, float farthest, int count) {
+  const float doublings = std::log2(std::max(farthest / nearest, 1.0f));
+  const float per_doubling = doublings > 0 ? float(count) / doublings : 0.0f;
+  block.shadow_slices = glm::vec4(std::log2(nearest), per_doubling, float(count - 1), 0);
 }
 
 void fit_view(LightBlock::View& view, const ViewExtent& extent, int size, int margin) {

@@ -56,7 +56,7 @@ void main() {
 #ifdef SHADOW_NONE
     seen = 1.0;
 #else
-    seen = visibility(receiver_at(position, gbuffer_geometric_normal(pixel)), n_dot_l);
+    seen = visibility(receiver_at(position, z, gbuffer_geometric_normal(pixel)), n_dot_l);
 #endif
   }
   vec3 arriving = light_color.rgb * strength * seen;

@@ -13,16 +13,20 @@ layout(std140, binding = 1) uniform Light {
   vec4 light_cone;       // cosines of the inner and the outer half-angle
   vec4 shadow_origin;    // w: near plane of a perspective view, depth range of an orthographic one
   vec4 shadow_extent;    // texels along an edge, 1 / that, range of exponential depths, unused
+  vec4 shadow_slices;    // orthographic: logarithm of the nearest depth, slices per doubling, last slice, unused
   ShadowView shadow_views[6];
 };
 
-// The view of a point seen from shadow_origin: the cube's face, or the only one.
-int shadow_view_of(vec3 d) {
+// The view of a point that lies at d from shadow_origin and at depth z (as the G-buffer has it) from the camera: the
+// cube's face, the slice of depths in which the point lies, or the only one.
+int shadow_view_of(vec3 d, float z) {
 #ifdef SHADOW_CUBE
   vec3 size = abs(d);
   if (size.x >= size.y && size.x >= size.z) return d.x > 0.0 ? 0 : 1;
   if (size.y >= size.z) return d.y > 0.0 ? 2 : 3;
   return d.z > 0.0 ? 4 : 5;
+#elif defined(SHADOW_ORTHOGRAPHIC)
+  return int(clamp((log2(z) - shadow_slices.x) * shadow_slices.y, 0.0, shadow_slices.z));
 #else
   return 0;
 #endif

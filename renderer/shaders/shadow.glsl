@@ -9,11 +9,11 @@ struct Receiver {
   float depth;  // along the view
 };
 
-Receiver receiver_at(vec3 position, vec3 geometric_normal) {
+Receiver receiver_at(vec3 position, float z, vec3 geometric_normal) {
   Receiver r;
   r.d = position - shadow_origin.xyz;
   r.normal = geometric_normal;
-  r.view = shadow_view_of(r.d);
+  r.view = shadow_view_of(r.d, z);
   vec3 q = to_shadow_view(r.view, r.d);
   r.st = q.xy;
   r.depth = q.z;

@@ -20,7 +20,7 @@ void main() {
       float z = gbuffer_z(ivec2(x, y));
       if (z <= 0.0) continue;
       vec3 d = world_position((vec2(x, y) + 0.5) * frame_size.zw, z) - shadow_origin.xyz;
-      int view = shadow_view_of(d);
+      int view = shadow_view_of(d, z);
       vec3 q = to_shadow_view(view, d);
 #ifndef SHADOW_ORTHOGRAPHIC
       if (q.z <= 0.0) continue;
