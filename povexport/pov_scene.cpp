@@ -93,7 +93,9 @@ std::string pov_view(const Scene& scene, const PovAssets&, const Camera& camera,
                      const PovOptions& options) {
   PovWriter out;
   write_global_settings(out, options);
-  // See-through where nothing is hit, so that alpha is the coverage; radiosity still gathers its colour.
+  // See-through where nothing is hit, so that alpha is the coverage; radiosity still gathers its colour. Who
+  // renders the scene puts Background behind the image.
+  out.words("#declare Background=").vector(scene.background.color).words(";\n");
   const glm::vec3 sky = scene.background.lights ? scene.background.color : glm::vec3(0);
   out.words("background{rgbt<")
       .number(sky.x)

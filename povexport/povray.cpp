@@ -1,7 +1,11 @@
 #include "povexport/povray.h"
 
 #include <cstdlib>
+#include <locale>
 #include <regex>
+#include <sstream>
+
+#include <glm/vec3.hpp>
 
 #include "base/color.h"
 #include "base/error.h"
@@ -80,6 +84,23 @@ Image read_result(const std::filesystem::path& file, const PovrayRun& run, const
   return image;
 }
 
+/// The colour that the scene file declares as Background; black if it declares none.
+glm::vec3 declared_background(const std::filesystem::path& scene_file) {
+  glm::vec3 color(0);
+  std::istringstream text(read_file(scene_file));
+  text.imbue(std::locale::classic());
+  constexpr std::string_view kDeclaration = "#declare Background=<";
+  char comma = 0;
+  for (std::string line; std::getline(text, line);)
+    if (line.starts_with(kDeclaration)) {
+      std::istringstream numbers(line.substr(kDeclaration.size()));
+      numbers.imbue(std::locale::classic());
+      numbers >> color.x >> comma >> color.y >> comma >> color.z;
+      break;
+    }
+  return color;
+}
+
 /// The background shows where nothing is; POV-Ray leaves such pixels black with alpha 0.
 void put_over_background(Image& image, const glm::vec3& background) {
   for (std::size_t i = 0; i < image.pixel_count(); ++i)
@@ -143,7 +164,7 @@ PovrayImage run_povray(const PovrayRun& run) {
   if (log.find("No objects in scene") != std::string::npos)
     fail("found no objects: the scene is empty", run, "");
   Image image = read_result(folder.path() / kImageName, run, log);
-  put_over_background(image, run.background);
+  put_over_background(image, declared_background(run.scene_file));
 
   PovrayImage rendered;
   rendered.image = run.samples > 1 ? box_downsample(image, run.samples) : std::move(image);

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <glm/vec3.hpp>
-
 #include "base/image.h"
 
 namespace lightbench {
@@ -19,12 +17,11 @@ std::string povray_version(const std::filesystem::path& program);
 
 struct PovrayRun {
   std::filesystem::path program;
-  std::filesystem::path scene_file;  ///< .pov
+  std::filesystem::path scene_file;  ///< .pov, as pov_view writes it
   std::filesystem::path library;     ///< folder of the includes and images that it names
   int width = 1024;
   int height = 768;
-  int samples = 1;          ///< supersampling per axis, box-filtered in linear light
-  glm::vec3 background{0};  ///< linear; put behind the image where nothing was hit (Background::color)
+  int samples = 1;  ///< supersampling per axis, box-filtered in linear light
   std::chrono::milliseconds timeout{std::chrono::hours(2)};
 };
 

@@ -62,7 +62,7 @@ inline PovOptions direct_options() {
 }
 
 inline PovrayImage render_text(const std::string& text, const PovAssets& assets, int width, int height,
-                               int samples = 1, const glm::vec3& background = glm::vec3(0)) {
+                               int samples = 1) {
   const TemporaryFolder folder("pov-test");
   for (const auto& [name, include] : assets.includes)
     write_file_atomic(folder.path() / "lib" / name, include);
@@ -76,7 +76,6 @@ inline PovrayImage render_text(const std::string& text, const PovAssets& assets,
   run.width = width;
   run.height = height;
   run.samples = samples;
-  run.background = background;
   run.timeout = std::chrono::minutes(5);
   return run_povray(run);
 }
@@ -85,7 +84,7 @@ inline Image render(const Scene& scene, const Camera& camera, const PovOptions& 
                     int width = 32, int height = 32, int samples = 1) {
   const PovAssets assets = pov_assets(scene);
   const std::string text = pov_view(scene, assets, camera, double(width) / height, options);
-  return render_text(text, assets, width, height, samples, scene.background.color).image;
+  return render_text(text, assets, width, height, samples).image;
 }
 
 /// What a half float can lose of a value below 2.
