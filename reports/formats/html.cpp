@@ -40,8 +40,9 @@ std::string navigation(const RunReport& report, bool problems) {
   std::string links = "<a href=\"#summary\">Summary</a>";
   if (!report.gates.empty()) links += "<a href=\"#gates\">Gates</a>";
   if (problems) links += "<a href=\"#problems\">Problems</a>";
-  links +=
-      "<a href=\"#pictures\">Pictures</a><a href=\"#scores\">Scores</a><a href=\"#about\">About this run</a>";
+  links += "<a href=\"#pictures\">Pictures</a>";
+  if (!report.scores.empty()) links += "<a href=\"#scores\">Scores</a>";
+  links += "<a href=\"#about\">About this run</a>";
   return "<nav>" + links + "</nav>\n";
 }
 

@@ -36,12 +36,11 @@ struct LuvBlock {
 /// Two Halley steps from a guess made by dividing the exponent by 3; exact to float rounding for normal y >
 /// 0. Unlike std::cbrt it can be vectorised.
 inline float cube_root(float y) {
-  float x = std::bit_cast<float>(std::bit_cast<std::uint32_t>(y) / 3 + 709921077u);
-  for (int step = 0; step < 2; ++step) {
+  const auto step = [y](float x) {
     const float cube = x * x * x;
-    x = x * (cube + 2 * y) / (2 * cube + y);
-  }
-  return x;
+    return x * (cube + 2 * y) / (2 * cube + y);
+  };
+  return step(step(std::bit_cast<float>(std::bit_cast<std::uint32_t>(y) / 3 + 709921077u)));
 }
 
 const std::array<float, 256>& linear_values() {
@@ -57,14 +56,24 @@ inline float dot(const Weights& weights, float red, float green, float blue) {
   return float(weights.red) * red + float(weights.green) * green + float(weights.blue) * blue;
 }
 
+/// In two loops: looking values up is scalar work, and the arithmetic on them is vectorised.
 void convert(const std::uint8_t* rgb, std::size_t count, const float* linear, LuvBlock& out) {
+  std::array<float, kBlock> reds, greens, blues;
   for (std::size_t i = 0; i < count; ++i) {
-    const float red = linear[rgb[3 * i]], green = linear[rgb[3 * i + 1]], blue = linear[rgb[3 * i + 2]];
+    reds[i] = linear[rgb[3 * i]];
+    greens[i] = linear[rgb[3 * i + 1]];
+    blues[i] = linear[rgb[3 * i + 2]];
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const float red = reds[i], green = greens[i], blue = blues[i];
     const float y = dot(kY, red, green, blue) / float(kY.white());
     // Black has L* = 0, which makes u* and v* 0 whatever its chromaticity; it only must not be 0 / 0.
-    const float inverse_d = 1.0f / std::max(dot(kD, red, green, blue), 1e-20f);
-    const float curved = 116.0f * cube_root(std::max(y, float(kLinearEnd))) - 16.0f;
-    const float l = y > float(kLinearEnd) ? curved : float(kLinearSlope) * y;
+    const float d = dot(kD, red, green, blue);
+    const float inverse_d = 1.0f / (d > 1e-20f ? d : 1e-20f);
+    const float end = float(kLinearEnd);
+    const float curved = 116.0f * cube_root(y > end ? y : end) - 16.0f;
+    const float straight = float(kLinearSlope) * y;
+    const float l = y > end ? curved : straight;
     out.l[i] = l;
     out.u[i] = 13.0f * l * (4.0f * dot(kX, red, green, blue) * inverse_d - float(kWhiteU));
     out.v[i] = 13.0f * l * (9.0f * dot(kY, red, green, blue) * inverse_d - float(kWhiteV));
