@@ -96,7 +96,7 @@ class MtlChecker {
       : text_(text),
         file_(file),
         bad_(problems, Problem::Severity::error, "malformed statements", file.string()),
-        unknown_(problems, Problem::Severity::warning, "unknown statements", file.string()) {}
+        unknown_(problems, Problem::Severity::warning, "statements that mean nothing", file.string()) {}
 
   std::vector<Facts> run() {
     LineScanner lines(text_);
@@ -117,7 +117,9 @@ class MtlChecker {
     if (!keyword) return unknown_.add(fmt::format("unknown statement '{}'", word.substr(0, 40)), here());
     std::copy(keyword->name.begin(), keyword->name.end(), text_.begin() + std::ptrdiff_t(position(word)));
     if (keyword->use == Use::new_material) return begin_material(word, stripped(rest));
-    if (facts_.empty()) return bad_.add(fmt::format("'{}' before the first newmtl", keyword->name), here());
+    if (facts_.empty())
+      return unknown_.add(fmt::format("'{}' before the first newmtl is of no material", keyword->name),
+                          here());
     check_statement(*keyword, stripped(rest));
   }
 

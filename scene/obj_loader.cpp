@@ -104,7 +104,9 @@ class ObjLoader {
   void fill(Material& material, const MtlMaterial& m) {
     material.diffuse = m.diffuse;
     material.specular = (m.specular.x + m.specular.y + m.specular.z) / 3;
-    material.exponent = m.exponent;
+    // An exponent of 0 is meant as no highlight at all, but would cover everything with one.
+    material.exponent = std::max(m.exponent, 1.0f);
+    if (m.exponent < 1 && material.specular > 0) unshown_["an Ns below 1 (1 is used)"].push_back(m.name);
     material.emission = m.emission;
     if (m.specular.x != m.specular.y || m.specular.y != m.specular.z)
       unshown_["the colour of Ks (its mean is used)"].push_back(m.name);

@@ -243,8 +243,8 @@ class ObjTextChecker {
   void finish() {
     finish_colors();
     if (short_faces_ > 0)
-      problems_.warning(fmt::format("{} faces of fewer than 3 corners are left out", short_faces_),
-                        file_.string());
+      problems_.note(fmt::format("{} faces of fewer than 3 corners are left out", short_faces_),
+                     file_.string());
     if (lines_and_points_ > 0)
       problems_.warning(fmt::format("{} lines and points are not shown", lines_and_points_), file_.string());
     if (free_form_ > 0)

@@ -33,12 +33,10 @@ void check_lights(const Scene& scene, const Bounds& bounds, const std::string& w
 
 void check_materials(const Scene& scene, const std::string& where, ProblemList& problems) {
   std::vector<std::string> bright;
-  std::vector<std::string> shiny;
   std::vector<std::string> emitting;
   for (const Material& m : scene.materials) {
     if (std::max({m.diffuse.x, m.diffuse.y, m.diffuse.z}) > 1) bright.push_back(m.name);
     if (emits(m)) emitting.push_back(m.name);
-    if (m.specular > 0 && m.exponent < 1) shiny.push_back(m.name);
   }
   if (!bright.empty())
     problems.warning(fmt::format("{}: a diffuse colour above 1 gives back more light than it gets",
@@ -46,10 +44,6 @@ void check_materials(const Scene& scene, const std::string& where, ProblemList& 
                      where);
   if (!emitting.empty())
     problems.note(fmt::format("{} emit light (Ke)", counted_names("materials", emitting)), where);
-  if (!shiny.empty())
-    problems.warning(fmt::format("{}: a highlight with an exponent below 1 covers everything",
-                                 counted_names("materials", shiny)),
-                     where);
 }
 
 }  // namespace

@@ -233,7 +233,7 @@ MaterialPatch read_material_patch(const JsonValue& value, ProblemList& problems)
   MaterialPatch patch;
   keys.optional("diffuse", [&](const JsonValue& v) { patch.diffuse = read_color(v); });
   keys.optional("specular", [&](const JsonValue& v) { patch.specular = share_or_factor(v, kLargestColor); });
-  keys.optional("exponent", [&](const JsonValue& v) { patch.exponent = share_or_factor(v, 1e5); });
+  keys.optional("exponent", [&](const JsonValue& v) { patch.exponent = float(v.number(1, 1e5)); });
   keys.optional("emission", [&](const JsonValue& v) { patch.emission = read_color(v); });
   keys.optional("reflectance", [&](const JsonValue& v) { patch.reflectance = share_or_factor(v, 1); });
   keys.finish();

@@ -79,6 +79,13 @@ TEST(ObjMaterials, TakesTheMeanOfAColoredHighlightAndWarns) {
   EXPECT_THAT(loaded.problems, HasSubstr("the colour of Ks (its mean is used) of 1 material (a)"));
 }
 
+TEST(ObjMaterials, AnExponentBelowOneCountsAsOne) {
+  const SceneTestFiles files;
+  const auto loaded = load_materials(files, {"a", "b"}, "newmtl a\nKs 1 1 1\nNs 0\nnewmtl b\nNs 0\n");
+  EXPECT_EQ(loaded.material("a").exponent, 1.0f);
+  EXPECT_EQ(loaded.problems, "warning m.mtl: not shown: an Ns below 1 (1 is used) of 1 material (a)\n");
+}
+
 TEST(ObjMaterials, AColorOfOneNumberIsGrey) {
   const SceneTestFiles files;
   EXPECT_EQ(load_materials(files, {"a"}, "newmtl a\nKd 0.25\n").material("a").diffuse, glm::vec3(0.25f));
@@ -289,7 +296,7 @@ INSTANTIATE_TEST_SUITE_P(
                "error m.mtl:2: Kd has 2 numbers where 3 are needed; the file ends in the middle"},
         BadMtl{"NoExponent", "newmtl a\nNs\n", "error m.mtl:2: Ns without a number"},
         BadMtl{"NoName", "newmtl a\nnewmtl\n", "error m.mtl:2: newmtl without a name"},
-        BadMtl{"BeforeNewmtl", "Kd 1 1 1\nnewmtl a\n", "error m.mtl:1: 'Kd' before the first newmtl"},
+        BadMtl{"BeforeNewmtl", "Kd 1 1 1\nnewmtl a\n", "warning m.mtl:1: 'Kd' before the first newmtl"},
         BadMtl{"Unknown", "newmtl a\nKq 1\n", "warning m.mtl:2: unknown statement 'Kq'"},
         BadMtl{"MissingTexture", "newmtl a\nmap_Kd gone.png\n",
                "error m.mtl:2: the texture 'gone.png' is missing"},
