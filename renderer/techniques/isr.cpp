@@ -1,6 +1,8 @@
 #include "renderer/techniques/isr.h"
 
+#include <algorithm>
 #include <optional>
+#include <string>
 
 #include <glm/gtc/constants.hpp>
 #include <glm/vec4.hpp>
@@ -20,13 +22,20 @@ constexpr unsigned kIndirectUnit = 9;
 constexpr unsigned kLightUnit = 9;
 constexpr unsigned kOpennessUnit = 10;
 constexpr unsigned kLitUnit = 11;
+constexpr unsigned kFarPatchUnit = 9;
+constexpr unsigned kFarRadianceUnit = 10;
 constexpr unsigned kKernelBinding = 1;
+
+/// A sample reads larger blocks where it stands for so many of them.
+constexpr float kFarShare = 16;
 
 /// What is gathered from: techniques/isr/coarse.glsl.
 struct CoarseScene {
   GlTexture patches;
   GlTexture radiance;
   GlTexture normals;
+  GlTexture far_patches;  ///< in larger blocks; empty where far_block is 1
+  GlTexture far_radiance;
 };
 
 /// What is gathered.
@@ -48,6 +57,8 @@ struct Isr {
   float number(const char* name) const { return float(params.number(name)); }
   bool is(const char* name, const char* choice) const { return params.text(name) == choice; }
   int block() const { return params.integer("resolution"); }
+  /// Eq. 25 knows no other patch than the pixel.
+  int far_block() const { return is("weighting", "paper") ? 1 : params.integer("far_block"); }
   const Program& program(const std::string& name, const ShaderDefines& more = {}) const {
     ShaderDefines all = defines;
     all.insert(all.end(), more.begin(), more.end());
@@ -86,8 +97,10 @@ void bind(const CoarseLight& light) {
 }
 
 CoarseScene downsample(const Isr& isr) {
-  CoarseScene coarse{coarse_texture(isr, TexelFormat::rgba32f), coarse_texture(isr, TexelFormat::rgba16f),
-                     coarse_texture(isr, TexelFormat::rg16)};
+  CoarseScene coarse;
+  coarse.patches = coarse_texture(isr, TexelFormat::rgba32f);
+  coarse.radiance = coarse_texture(isr, TexelFormat::rgba16f);
+  coarse.normals = coarse_texture(isr, TexelFormat::rg16);
   const Framebuffer target({&coarse.patches, &coarse.radiance, &coarse.normals});
   const Program& program = isr.program("downsample");
   program.set("block", isr.block());
@@ -98,13 +111,28 @@ CoarseScene downsample(const Isr& isr) {
   return coarse;
 }
 
-/// The kernel as the shader has it: shares on the image plane at distance 1, divided by pi.
-Buffer kernel_block(const Isr& isr, float pixel_size) {
+void reduce(const Isr& isr, CoarseScene& coarse) {
+  const int block = isr.far_block();
+  if (block == 1) return;
+  const glm::ivec2 size = (isr.coarse_size + block - 1) / block;
+  coarse.far_patches = GlTexture(TexelFormat::rgba32f, size.x, size.y);
+  coarse.far_radiance = GlTexture(TexelFormat::rgba16f, size.x, size.y);
+  const Framebuffer target({&coarse.far_patches, &coarse.far_radiance});
+  const Program& program = isr.program("reduce");
+  program.set("block", block);
+  coarse.patches.bind(kPatchUnit);
+  coarse.radiance.bind(kRadianceUnit);
+  isr.frame.draw_fullscreen(target, program);
+}
+
+std::vector<KernelSample> make_kernel(const Isr& isr) {
   const int samples = isr.params.integer("samples");
-  const std::vector<KernelSample> kernel =
-      isr.is("pattern", "grid")
-          ? grid_kernel(samples, isr.number("spacing"))
-          : spiral_kernel(samples, isr.number("radius") * float(isr.coarse_size.x), isr.number("spread"));
+  if (isr.is("pattern", "grid")) return grid_kernel(samples, isr.number("spacing"));
+  return spiral_kernel(samples, isr.number("radius") * float(isr.coarse_size.x), isr.number("spread"));
+}
+
+/// The kernel as the shader has it: shares on the image plane at distance 1, divided by pi.
+Buffer kernel_block(const Isr& isr, const std::vector<KernelSample>& kernel, float pixel_size) {
   std::vector<glm::vec4> block(kMaxKernelSamples, glm::vec4(0));
   const bool paper = isr.is("weighting", "paper");
   for (std::size_t i = 0; i < kernel.size(); ++i) {
@@ -114,25 +142,46 @@ Buffer kernel_block(const Isr& isr, float pixel_size) {
   return Buffer(block.data(), block.size() * sizeof block[0]);
 }
 
+/// How many samples from the first one on read the coarse picture itself.
+int near_count(const Isr& isr, const std::vector<KernelSample>& kernel) {
+  const int block = isr.far_block();
+  if (block == 1) return int(kernel.size());
+  const float least = kFarShare * float(block * block);
+  const auto far =
+      std::find_if(kernel.begin(), kernel.end(), [&](const KernelSample& k) { return k.area >= least; });
+  return int(far - kernel.begin());
+}
+
+ShaderDefines gather_defines(const Isr& isr) {
+  ShaderDefines defines;
+  if (gathers_background(isr)) defines.push_back("BACKGROUND");
+  const int block = isr.far_block();
+  if (block > 1) defines.push_back("FAR_BLOCK " + std::to_string(block));
+  return defines;
+}
+
 CoarseLight gather(const Isr& isr, const CoarseScene& coarse) {
   // Edge of a coarse pixel at distance 1.
   const float pixel_size = 2 * isr.gbuffer.camera.tan_half_y * float(isr.block()) / float(isr.gbuffer.height);
-  const Buffer kernel = kernel_block(isr, pixel_size);
+  const std::vector<KernelSample> kernel = make_kernel(isr);
+  const Buffer block = kernel_block(isr, kernel, pixel_size);
   CoarseLight light = make_light(isr);
-  ShaderDefines defines;
-  if (gathers_background(isr)) defines.push_back("BACKGROUND");
-  const Program& program = isr.program("gather", defines);
-  program.set("sample_count", isr.params.integer("samples"));
-  program.set("coarse_size", isr.coarse_size);
+  const Program& program = isr.program("gather", gather_defines(isr));
+  program.set("near_count", near_count(isr, kernel));
+  program.set("sample_count", int(kernel.size()));
   program.set("coarse_texel", float(isr.block()) / glm::vec2(isr.gbuffer.width, isr.gbuffer.height));
   program.set("form_factor_limit", isr.number("form_factor_limit"));
   program.set("background", isr.frame.scene().background.color);
   program.set("occluder_radius", isr.number("occluder_radius") * pixel_size / float(isr.block()));
   isr.gbuffer.camera_block.bind_uniform(0);
-  kernel.bind_uniform(kKernelBinding);
+  block.bind_uniform(kKernelBinding);
   coarse.patches.bind(kPatchUnit);
   coarse.radiance.bind(kRadianceUnit);
   coarse.normals.bind(kNormalUnit);
+  if (coarse.far_patches.id() != 0) {
+    coarse.far_patches.bind(kFarPatchUnit);
+    coarse.far_radiance.bind(kFarRadianceUnit);
+  }
   isr.frame.draw_fullscreen(target_of(light), program);
   return light;
 }
@@ -216,7 +265,10 @@ void render_isr(FrameContext& frame, const ParamValues& params) {
                 coarse_size, occlusion};
   CoarseScene coarse;
   CoarseLight light;
-  frame.pass("downsample", [&] { coarse = downsample(isr); });
+  frame.pass("downsample", [&] {
+    coarse = downsample(isr);
+    reduce(isr, coarse);
+  });
   frame.pass("gather", [&] { light = gather(isr, coarse); });
   frame.pass("blur", [&] { blur(isr, coarse, light); });
   compose(isr, coarse, light);
@@ -246,7 +298,7 @@ Technique isr_technique() {
   technique.buffers.push_back(
       {"occlusion", "ambient openness, 1 - min(1, sum of eq. 26); 1 on the background"});
   technique.shaders = direct_shaders();
-  for (const char* pass : {"downsample", "gather", "blur", "light"})
+  for (const char* pass : {"downsample", "reduce", "gather", "blur", "light"})
     technique.shaders.push_back(std::string("techniques/isr/") + pass + ".frag.glsl");
   technique.bounces = 1;
   technique.unsupported = unsupported;

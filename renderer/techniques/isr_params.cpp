@@ -61,10 +61,14 @@ std::vector<ParamSpec> isr_params() {
              "where they "
              "weigh most"),
       number("spacing", 1.0, 1.0, 256.0, "of the grid, in coarse pixels"),
-      choice("rotation", {"random", "none", "tiled"},
-             "how the kernel is turned from pixel to pixel: by a hash of its place, not at all, or in 16 "
-             "steps that "
-             "repeat every 4x4 pixels"),
+      choice("rotation", {"tiled", "random", "none"},
+             "how the kernel is turned from pixel to pixel: in 64 steps and slightly scaled, in an order "
+             "that repeats "
+             "every 8x8 pixels and that the blur removes; by a hash of the place; not at all"),
+      integer("far_block", 4, 1, 16,
+              "edge of the blocks of coarse pixels that samples read where they stand for at least 16 "
+              "such blocks: "
+              "faster, and with less noise; 1: all read coarse pixels, as with weighting paper"),
       choice("form_factor", {"point", "disc"},
              "cos cos dA / (pi r^2), which has no bias; or cos cos dA / (pi r^2 + dA), which has no peaks "
              "but loses "

@@ -7,8 +7,12 @@ const int kMaxSamples = 1024;  // also in isr_kernel.h
 // distance 1, divided by pi.
 layout(std140, binding = 1) uniform Kernel { vec4 kernel[kMaxSamples]; };
 
+// The same picture in larger blocks, for samples that stand for more than a block: it stays in the cache.
+layout(binding = 9) uniform sampler2D far_patches;
+layout(binding = 10) uniform sampler2D far_radiance;
+
+uniform int near_count;    // samples that read the coarse picture itself
 uniform int sample_count;
-uniform ivec2 coarse_size;
 uniform float form_factor_limit;
 uniform vec2 coarse_texel;  // of the picture, 0..1
 uniform vec3 background;
@@ -22,7 +26,7 @@ layout(location = 1) out float openness;
 const float kTwoPi = 6.28318530718;
 const float kSmallestSquare = 1e-30;
 
-// Cosine and sine of the angle that the kernel is turned by at a patch.
+// How the kernel is turned, and scaled, at a patch: a complex factor of its offsets.
 vec2 kernel_turn(ivec2 pixel) {
 #if defined(ROTATION_RANDOM)
   uint h = uint(pixel.x) * 0x8da6b343u + uint(pixel.y) * 0xd8163841u;
@@ -32,45 +36,55 @@ vec2 kernel_turn(ivec2 pixel) {
   float angle = float(h >> 8) * (kTwoPi / 16777216.0);
   return vec2(cos(angle), sin(angle));
 #elif defined(ROTATION_TILED)
-  const int order[16] = int[](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);
-  float angle = float(order[(pixel.y & 3) * 4 + (pixel.x & 3)]) * (kTwoPi / 16.0);
-  return vec2(cos(angle), sin(angle));
+  // Ordered dithering: the bits of x ^ y and y, interleaved and reversed.
+  uint x = uint(pixel.x ^ pixel.y) & 7u;
+  uint y = uint(pixel.y) & 7u;
+  uint n = 0u;
+  for (int bit = 0; bit < 3; ++bit) {
+    n = (n << 2) | ((x & 1u) << 1) | (y & 1u);
+    x >>= 1;
+    y >>= 1;
+  }
+  float angle = float(n) * (kTwoPi / 64.0);
+  float scale = 1.0 + 0.08 * (fract(float(n) * 0.61803399) - 0.5);
+  return scale * vec2(cos(angle), sin(angle));
 #else
   return vec2(1.0, 0.0);
 #endif
 }
 
-void main() {
-  indirect = vec4(0.0);
-#ifdef OCCLUSION
-  openness = 1.0;
-  float occlusion = 0.0;
-#endif
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec4 receiver = texelFetch(coarse_patches, pixel, 0);
-  if (receiver.w == kNoPatch) return;
-  vec3 normal = decode_octahedral(texelFetch(coarse_normals, pixel, 0).xy);
-  vec2 turn = kernel_turn(pixel);
-  vec2 center = vec2(pixel) + 0.5;
+struct Gathered {
+  vec4 indirect;
+  float occlusion;
+};
 
-  for (int i = 0; i < sample_count; ++i) {
+// Adds what the samples first..end-1 see. They read patches of `block` by `block` pixels of this picture.
+void gather_samples(int first, int end, sampler2D patches, sampler2D radiances, int block, vec3 position,
+                    vec3 normal, vec2 turn, inout Gathered sum) {
+  float plane_area = dot(turn, turn);
+  vec2 center = (floor(gl_FragCoord.xy) + 0.5) / float(block);
+  vec2 step_x = turn / float(block);
+  vec2 step_y = vec2(-step_x.y, step_x.x);
+  ivec2 size = textureSize(patches, 0);
+  for (int i = first; i < end; ++i) {
     vec4 k = kernel[i];
-    ivec2 at = ivec2(floor(center + vec2(turn.x * k.x - turn.y * k.y, turn.y * k.x + turn.x * k.y)));
-    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, coarse_size))) continue;
-    vec4 other = texelFetch(coarse_patches, at, 0);
+    ivec2 at = ivec2(floor(center + k.x * step_x + k.y * step_y));
+    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
+    vec4 other = texelFetch(patches, at, 0);
+    float share = k.z * plane_area;
 #ifdef BACKGROUND
     // Nothing stands on the ray through such a pixel: a surface facing its direction sees the background there.
     if (other.w == kNoPatch) {
-      vec3 ray = unit_ray((vec2(at) + 0.5) * coarse_texel);
+      vec3 ray = unit_ray((vec2(at) + 0.5) * float(block) * coarse_texel);
       float length2 = dot(ray, ray);
-      float form_factor = max(dot(normal, ray), 0.0) * k.z / (length2 * length2);
-      indirect += form_factor * vec4(background, 1.0);
+      float form_factor = max(dot(normal, ray), 0.0) * share / (length2 * length2);
+      sum.indirect += form_factor * vec4(background, 1.0);
       continue;
     }
 #else
     if (other.w == kNoPatch) continue;
 #endif
-    vec3 to = other.xyz - receiver.xyz;
+    vec3 to = other.xyz - position;
     float r2 = dot(to, to);
     float facing = dot(normal, to);
     if (facing <= 0.0 || r2 < kSmallestSquare) continue;
@@ -78,13 +92,13 @@ void main() {
 #ifdef OCCLUSION
     // Eq. 26; the argument of the root is negative inside the occluder.
     float r = occluder_radius * z;
-    occlusion += (1.0 - sqrt(max(1.0 - r * r / r2, 0.0))) * facing * inversesqrt(r2);
+    sum.occlusion += (1.0 - sqrt(max(1.0 - r * r / r2, 0.0))) * facing * inversesqrt(r2);
 #endif
     float leaving = -dot(unpack_normal(other.w), to);
     if (leaving <= 0.0) continue;
-    vec4 radiance = texelFetch(coarse_radiance, at, 0);
+    vec4 radiance = texelFetch(radiances, at, 0);
     float cosines = (facing / r2) * leaving;
-    float area = k.z * z * z;  // divided by pi
+    float area = share * z * z;  // divided by pi
 #ifdef WEIGHTING_AREA
     area *= radiance.a;
 #endif
@@ -94,12 +108,30 @@ void main() {
     float form_factor = cosines * area / r2;
 #endif
     form_factor = min(form_factor, form_factor_limit);
-    indirect += form_factor * vec4(radiance.rgb, 1.0);
+    sum.indirect += form_factor * vec4(radiance.rgb, 1.0);
   }
+}
+
+void main() {
+  indirect = vec4(0.0);
+#ifdef OCCLUSION
+  openness = 1.0;
+#endif
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 receiver = texelFetch(coarse_patches, pixel, 0);
+  if (receiver.w == kNoPatch) return;
+  vec3 normal = decode_octahedral(texelFetch(coarse_normals, pixel, 0).xy);
+  vec2 turn = kernel_turn(pixel);
+  Gathered sum = Gathered(vec4(0.0), 0.0);
+  gather_samples(0, near_count, coarse_patches, coarse_radiance, 1, receiver.xyz, normal, turn, sum);
+#ifdef FAR_BLOCK
+  gather_samples(near_count, sample_count, far_patches, far_radiance, FAR_BLOCK, receiver.xyz, normal, turn, sum);
+#endif
+  indirect = sum.indirect;
 #ifdef WEIGHTING_PAPER
   indirect *= kTwoPi / float(sample_count) * texelFetch(coarse_radiance, pixel, 0).a;
 #endif
 #ifdef OCCLUSION
-  openness = 1.0 - min(occlusion * kTwoPi / float(sample_count), 1.0);
+  openness = 1.0 - min(sum.occlusion * kTwoPi / float(sample_count), 1.0);
 #endif
 }
