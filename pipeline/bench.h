@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pipeline/job.h"
+
+namespace lightbench {
+
+/// Median and spread of one pass's times, or of a whole frame's ("all passes"), in seconds.
+struct BenchTime {
+  std::string pass;
+  double median = 0;
+  double lower = 0;  ///< first quartile
+  double upper = 0;  ///< third quartile
+};
+
+struct BenchRow {
+  std::string scene;
+  std::string view;
+  std::string variant;
+  std::vector<BenchTime> times;  ///< the whole frame first
+};
+
+/// Median and quartiles, interpolated between neighbours. Needs at least one value.
+BenchTime summarize(const std::string& pass, std::vector<double> seconds);
+
+/// Times every view with every variant in this process, which should be alone on the machine: per view two
+/// frames of each variant to warm up, then `rounds` rounds in which the variants take turns. Nothing comes
+/// from a cache.
+std::vector<BenchRow> bench_job(const Job& concrete, const std::string& gl, int rounds);
+
+std::string bench_table(const std::vector<BenchRow>& rows);
+std::string bench_json(const Job& job, const std::vector<BenchRow>& rows, int rounds,
+                       const std::string& renderer);
+
+}  // namespace lightbench

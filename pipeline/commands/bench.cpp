@@ -1,0 +1,73 @@
+#include "pipeline/bench.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "base/files.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/concrete.h"
+#include "pipeline/inspect.h"
+#include "pipeline/job_file.h"
+#include "pipeline/run_job.h"
+#include "pipeline/snapshot.h"
+#include "renderer/renderer.h"
+
+namespace lightbench {
+namespace {
+
+struct BenchParams {
+  std::string job;
+  int rounds = 10;
+  std::string gl = "osmesa";
+  std::string output;
+};
+
+void warn_if_busy() {
+  double load = 0;
+  if (getloadavg(&load, 1) == 1 && load > 0.5 * std::thread::hardware_concurrency())
+    std::fprintf(stderr, "warning: the machine is busy (load %.1f), so these times are too long\n", load);
+}
+
+ExitCode run_bench(const BenchParams& params) {
+  const Job job = read_job(params.job);
+  const TemporaryFolder drawn;
+  const Job concrete = make_concrete(job, drawn.path(), draw_job_views);
+  warn_if_busy();
+  const auto rows = bench_job(concrete, params.gl, params.rounds);
+  std::printf("%s", bench_table(rows).c_str());
+  const std::string renderer = Renderer(parse_gl(params.gl, "--gl")).description();
+  const std::filesystem::path file =
+      params.output.empty() ? run_folder(job, "") / "bench.json" : std::filesystem::path(params.output);
+  write_file_atomic(file, bench_json(concrete, rows, params.rounds, renderer));
+  std::printf("%s\n%s\n", renderer.c_str(), file.c_str());
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app, Action& action) {
+  CLI::App* command = nullptr;
+  auto params =
+      add_command<BenchParams>(app, "bench", "Time a job's variants, per pass", action, run_bench, command);
+  command->add_option("job", params->job, "Job file (jobs/FORMAT.md)")->required();
+  command->add_option("--rounds", params->rounds, "Measured frames of each view and variant")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_option("--gl", params->gl, "OpenGL back end")
+      ->check(CLI::IsMember({"osmesa", "egl"}))
+      ->capture_default_str();
+  command->add_option("-o,--output", params->output,
+                      "JSON file to write; default: out/<job name>/bench.json");
+  command->footer(
+      R"(Times that an ordinary run meets are marked contended, since other tasks run beside. Here variants take
+turns, alone on the machine, after two frames each to warm up; nothing comes from a cache.
+
+Example:
+  lightbench bench jobs/cornell.json --rounds 20)");
+}
+
+}  // namespace lightbench

@@ -1,0 +1,63 @@
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+
+#include "base/files.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/view_options.h"
+#include "pipeline/inspect.h"
+#include "scene/camera_script.h"
+
+namespace lightbench {
+namespace {
+
+struct CamerasParams {
+  std::string scene;
+  int random = 1;
+  std::uint64_t seed = 1;
+  double fov = 60;
+  std::string size = "1024x768";
+  std::string output;
+};
+
+ExitCode run_cameras(const CamerasParams& params) {
+  const ImageSize size = parse_size(params.size);
+  JobScene scene;
+  scene.file = params.scene;
+  const auto views =
+      draw_job_views(scene, {params.random, params.seed, params.fov}, double(size.width) / size.height);
+  const std::string text = camera_script_text(views);
+  if (params.output.empty()) {
+    std::printf("%s", text.c_str());
+  } else {
+    write_file_atomic(params.output, text);
+    std::printf("%s: %zu views\n", params.output.c_str(), views.size());
+  }
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_cameras_command(CLI::App& app, Action& action) {
+  CLI::App* command = nullptr;
+  auto params = add_command<CamerasParams>(app, "cameras", "Draw valid random views of a scene", action,
+                                           run_cameras, command);
+  command->add_option("scene", params->scene, "Scene file (.json) or OBJ")->required();
+  command->add_option("--random", params->random, "How many views")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  command->add_option("--seed", params->seed, "The same seed gives the same views")->capture_default_str();
+  command->add_option("--fov", params->fov, "Vertical field of view, degrees")
+      ->check(CLI::Range(1.0, 170.0))
+      ->capture_default_str();
+  command->add_option("--size", params->size, "Image size whose aspect ratio counts")->capture_default_str();
+  command->add_option("-o,--output", params->output, "Camera script to write; default: standard output");
+  command->footer(
+      R"(A view is valid when rays say that it is not inside geometry, has something near enough in sight, and
+is not mostly background.
+
+Example:
+  lightbench cameras room.json --random 40 --seed 7 -o room-cameras.json)");
+}
+
+}  // namespace lightbench

@@ -1,0 +1,80 @@
+#include <cstdio>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+#include "base/color.h"
+#include "base/error.h"
+#include "base/files.h"
+#include "base/image_io.h"
+#include "base/text.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/view_options.h"
+#include "pipeline/references.h"
+#include "pipeline/tables.h"
+#include "scene/scene_file.h"
+
+namespace lightbench {
+namespace {
+
+struct ReferenceParams {
+  ViewOptions view;
+  std::string kind = "povray";
+  std::string preset;
+  std::vector<std::string> params;
+  double timeout = 7200;
+  std::string output = "reference.exr";
+};
+
+ExitCode run_reference(const ReferenceParams& params) {
+  const std::filesystem::path output = params.output;
+  if (output.extension() != ".png" && output.extension() != ".exr")
+    throw Error("must end in .png or .exr", "-o " + output.string());
+  const ReferenceKind& kind = find_reference_kind(params.kind, "--kind");
+  const std::string version = kind.tool_version();
+  const ImageSize size = parse_size(params.view.size);
+  const ParamValues values =
+      resolve_params(kind.params, kind.presets, params.preset.empty() ? kind.default_preset : params.preset,
+                     parse_params(kind.params, params.params), "--preset");
+  const Scene scene = load_scene(params.view.scene);
+  const View view = chosen_view(params.view, scene);
+  const auto exported = kind.make_export(scene);
+  const ReferenceRequest request{view,        size.width,
+                                 size.height, params.view.samples,
+                                 values,      std::chrono::milliseconds(std::llround(params.timeout * 1000))};
+  const TemporaryFolder folder;
+  const auto view_file = folder.path() / ("view" + kind.view_extension);
+  exported->write_shared(folder.path());
+  exported->write_view(request, view_file);
+  const ReferenceImage made = kind.run(request, {view_file, folder.path()});
+  if (output.extension() == ".exr")
+    write_exr(output, made.image, PixelType::half);
+  else
+    write_png(output, first_channels(to_srgb8(made.image), 3));
+  for (const auto& warning : exported->warnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  std::printf("%s: %.1f s (%.1f s of processor time)\n%s\n", version.c_str(), made.seconds, made.cpu_seconds,
+              output.c_str());
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_reference_command(CLI::App& app, Action& action) {
+  CLI::App* command = nullptr;
+  auto params = add_command<ReferenceParams>(
+      app, "reference", "Render one view of a scene offline: the truth", action, run_reference, command);
+  add_view_options(*command, params->view);
+  command->add_option("--kind", params->kind, "Offline renderer: " + join(row_names(reference_kinds()), ", "))
+      ->capture_default_str();
+  command->add_option("--preset", params->preset, "Named set of parameters (lightbench list params)");
+  command->add_option("-p,--param", params->params, "NAME=VALUE; may stand several times")->expected(1);
+  command->add_option("--timeout", params->timeout, "Seconds after which it is stopped")
+      ->check(CLI::Range(0.1, 1e7))
+      ->capture_default_str();
+  command->add_option("-o,--output", params->output, ".png (8-bit sRGB) or .exr (linear, alpha is coverage)")
+      ->capture_default_str();
+  command->footer(R"(Example:
+  lightbench reference room.json --cameras room-cameras.json --view door --preset direct -o door-truth.exr)");
+}
+
+}  // namespace lightbench

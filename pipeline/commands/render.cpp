@@ -1,0 +1,99 @@
+#include <cstdio>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+
+#include "base/color.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/view_options.h"
+#include "pipeline/snapshot.h"
+#include "pipeline/tables.h"
+#include "renderer/renderer.h"
+#include "scene/scene_file.h"
+
+namespace lightbench {
+namespace {
+
+struct RenderParams {
+  ViewOptions view;
+  std::string technique = "direct";
+  std::string preset;
+  std::vector<std::string> params;
+  std::string output = "out.png";
+  std::vector<std::string> buffers;
+  std::string gl = "osmesa";
+};
+
+void check_output(const std::filesystem::path& file) {
+  const auto extension = file.extension();
+  if (extension != ".png" && extension != ".exr")
+    throw Error("must end in .png or .exr", "-o " + file.string());
+}
+
+void write_output(const std::filesystem::path& file, const Image& image) {
+  if (file.extension() == ".exr") return write_exr(file, image, PixelType::half);
+  write_png(file, first_channels(to_srgb8(image), 3));
+}
+
+ExitCode run_render(const RenderParams& params) {
+  const std::filesystem::path output = params.output;
+  check_output(output);
+  const Technique& technique = find_technique(params.technique, "--technique");
+  const ParamValues values = resolve_params(technique.params, technique.presets, params.preset,
+                                            parse_params(technique.params, params.params), "--preset");
+  const ImageSize size = parse_size(params.view.size);
+  const Scene scene = load_scene(params.view.scene);
+  for (const auto& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  const View view = chosen_view(params.view, scene);
+  FrameRequest request{scene,
+                       view,
+                       size.width,
+                       size.height,
+                       params.view.samples,
+                       {params.buffers.begin(), params.buffers.end()}};
+  Renderer renderer(parse_gl(params.gl, "--gl"));
+  const FrameResult frame = renderer.render(technique, values, request);
+  for (const auto& warning : frame.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  write_output(output, frame.image);
+  for (const auto& [name, buffer] : frame.buffers) {
+    auto stem = output;
+    stem.replace_extension();
+    write_buffer_pair(stem.string() + "." + name + ".exr", stem.string() + "." + name + ".png", buffer);
+  }
+  double total = 0;
+  for (const auto& pass : frame.passes) {
+    std::printf("%-24s %8.2f ms\n", pass.name.c_str(), pass.seconds * 1000);
+    total += pass.seconds;
+  }
+  std::printf("%-24s %8.2f ms\n%s\n", "all passes", total * 1000, output.c_str());
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& app, Action& action) {
+  CLI::App* command = nullptr;
+  auto params = add_command<RenderParams>(app, "render", "Render one view of a scene with one technique",
+                                          action, run_render, command);
+  add_view_options(*command, params->view);
+  command
+      ->add_option("-t,--technique", params->technique,
+                   "How to light it: " + join(row_names(techniques()), ", "))
+      ->capture_default_str();
+  command->add_option("--preset", params->preset, "Named set of parameters (lightbench list params)");
+  command->add_option("-p,--param", params->params, "NAME=VALUE; may stand several times")->expected(1);
+  command->add_option("-o,--output", params->output, ".png (8-bit sRGB) or .exr (linear)")
+      ->capture_default_str();
+  command
+      ->add_option("--buffers", params->buffers,
+                   "Named buffers to write beside the output, e.g. albedo,normal")
+      ->delimiter(',');
+  command->add_option("--gl", params->gl, "OpenGL back end: osmesa or egl")->capture_default_str();
+  command->footer(R"(Examples:
+  lightbench render room.json --cameras room-cameras.json --view door -o door.png
+  lightbench render model.obj --position 0 1 4 --look-at 0 1 0 -t isr --param samples=80 --buffers indirect)");
+}
+
+}  // namespace lightbench

@@ -1,0 +1,39 @@
+#include "pipeline/commands/run_options.h"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+
+namespace lightbench {
+
+void add_run_flags(CLI::App& command, RunFlags& flags) {
+  command.add_option("--out", flags.out, "Folder of the run; default: out/<job name>");
+  command.add_option("-j,--jobs", flags.places, "Workers at a time; default: one for each core")
+      ->check(CLI::Range(1, 1024));
+  command.add_option(
+      "--only", flags.only,
+      "Only what matches this pattern of scene/view/variant or scene/view/reference, and what it needs");
+  command.add_option("--gl", flags.gl, "OpenGL back end")
+      ->check(CLI::IsMember({"osmesa", "egl"}))
+      ->capture_default_str();
+}
+
+RunOptions run_options(const RunFlags& flags) {
+  RunOptions options;
+  options.out = flags.out;
+  options.places = flags.places;
+  options.only = flags.only;
+  options.gl = flags.gl;
+  return options;
+}
+
+TaskKind parse_stage(const std::string& name) {
+  const auto& names = task_kind_names();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) throw Error("there is no stage '" + name + "'", "--stages");
+  return static_cast<TaskKind>(found - names.begin());
+}
+
+}  // namespace lightbench

@@ -1,0 +1,122 @@
+#include "pipeline/commands/view_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "base/error.h"
+#include "base/image_io.h"
+#include "base/text.h"
+#include "pipeline/tables.h"
+#include "renderer/rays.h"
+#include "scene/camera_script.h"
+#include "scene/random_views.h"
+
+namespace lightbench {
+namespace {
+
+glm::vec3 vector_of(const std::vector<float>& values) {
+  return {values[0], values[1], values[2]};
+}
+
+View drawn_view(const ViewOptions& options, const Scene& scene) {
+  const ImageSize size = parse_size(options.size);
+  const SceneRays rays(scene);
+  RandomViewOptions random;
+  random.fov = glm::radians(options.fov);
+  random.aspect = float(size.width) / float(size.height);
+  return draw_random_views(scene, random,
+                           [&rays](const glm::vec3& origin, const glm::vec3& direction) {
+                             return rays.closest_hit(origin, direction);
+                           })
+      .front();
+}
+
+View given_view(const ViewOptions& options) {
+  if (options.look_at.empty()) throw Error("--position needs --look-at");
+  View view{"view", {vector_of(options.position), vector_of(options.look_at), vector_of(options.up)}};
+  view.camera.fov = glm::radians(options.fov);
+  const std::string text = camera_script_text({view});
+  return read_view(JsonValue::parse(text, "--position").object().at("views").items().front());
+}
+
+}  // namespace
+
+void add_view_options(CLI::App& command, ViewOptions& options) {
+  command.add_option("scene", options.scene, "Scene file (.json) or OBJ")->required();
+  auto* cameras = command.add_option("--cameras", options.cameras, "Camera script");
+  command.add_option("--view", options.view, "Name of a view in the camera script; default: its first")
+      ->needs(cameras);
+  auto* position = command.add_option("--position", options.position, "Camera position: x y z")->expected(3);
+  position->excludes(cameras);
+  command.add_option("--look-at", options.look_at, "Point that the camera looks at: x y z")
+      ->expected(3)
+      ->needs(position);
+  command.add_option("--up", options.up, "Up direction: x y z")
+      ->expected(3)
+      ->needs(position)
+      ->capture_default_str();
+  command
+      .add_option("--fov", options.fov, "Vertical field of view, degrees, of --position and of a drawn view")
+      ->check(CLI::Range(1.0, 170.0))
+      ->capture_default_str();
+  command.add_option("--size", options.size, "Image size, WIDTHxHEIGHT")->capture_default_str();
+  command.add_option("--samples", options.samples, "Supersampling per axis")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+}
+
+ImageSize parse_size(const std::string& text) {
+  const auto parts = split(text, 'x');
+  long long sides[2] = {0, 0};
+  bool ok = parts.size() == 2;
+  for (std::size_t i = 0; ok && i < 2; ++i) {
+    const auto [end, error] = std::from_chars(parts[i].data(), parts[i].data() + parts[i].size(), sides[i]);
+    ok = error == std::errc() && end == parts[i].data() + parts[i].size();
+  }
+  if (!ok) throw Error("must be WIDTHxHEIGHT, such as 1024x768, not '" + text + "'", "--size");
+  check_image_size(sides[0], sides[1], "--size");
+  return {int(sides[0]), int(sides[1])};
+}
+
+std::vector<View> chosen_views(const ViewOptions& options, const Scene& scene) {
+  if (options.cameras.empty()) {
+    if (!options.position.empty()) return {given_view(options)};
+    std::fprintf(stderr, "no camera is given: a view is drawn at random (seed 1)\n");
+    return {drawn_view(options, scene)};
+  }
+  const auto views = read_camera_script(options.cameras);
+  if (options.view.empty()) return views;
+  const auto found =
+      std::find_if(views.begin(), views.end(), [&](const View& v) { return v.name == options.view; });
+  if (found == views.end())
+    throw Error("there is no view '" + options.view + "' in " + options.cameras +
+                    did_you_mean(options.view, row_names(views)),
+                "--view");
+  return {*found};
+}
+
+View chosen_view(const ViewOptions& options, const Scene& scene) {
+  return chosen_views(options, scene).front();
+}
+
+std::map<std::string, ParamValue> parse_params(std::span<const ParamSpec> specs,
+                                               const std::vector<std::string>& texts) {
+  std::map<std::string, ParamValue> result;
+  for (const auto& text : texts) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos) throw Error("must be NAME=VALUE, not '" + text + "'", "--param");
+    const std::string name = text.substr(0, equals);
+    const auto spec =
+        std::find_if(specs.begin(), specs.end(), [&](const ParamSpec& s) { return s.name == name; });
+    if (spec == specs.end())
+      throw Error("unknown parameter '" + name + "'" + did_you_mean(name, row_names(specs)), "--param");
+    result[name] = parse_param(*spec, text.substr(equals + 1), "--param " + name);
+  }
+  return result;
+}
+
+}  // namespace lightbench

@@ -1,0 +1,111 @@
+#include "pipeline/concrete.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "pipeline/tables.h"
+#include "scene/camera_script.h"
+
+namespace lightbench {
+namespace {
+
+constexpr std::size_t kMaxSweptVariants = 4096;
+
+std::vector<JobVariant> expand_sweep(const JobVariant& variant) {
+  std::size_t count = 1;
+  for (const auto& [name, values] : variant.sweep) count *= values.size();
+  if (count > kMaxSweptVariants)
+    throw Error(fmt::format("the sweep of '{}' makes {} variants; at most {} are possible", variant.name,
+                            count, kMaxSweptVariants));
+  std::vector<JobVariant> result;
+  for (std::size_t i = 0; i < count; ++i) {
+    JobVariant one = variant;
+    one.sweep.clear();
+    std::vector<std::string> labels(variant.sweep.size());
+    std::size_t rest = i;
+    for (std::size_t p = variant.sweep.size(); p-- > 0;) {
+      const auto& [name, values] = variant.sweep[p];
+      const ParamValue& value = values[rest % values.size()];
+      rest /= values.size();
+      one.params[name] = value;
+      labels[p] = fmt::format("{}={}", name, to_text(value));
+    }
+    if (!variant.sweep.empty()) {
+      one.name = fmt::format("{}[{}]", variant.name, join(labels, ","));
+      one.swept_from = variant.name;
+    }
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+/// A gate that names a swept variant holds for each variant that the sweep made.
+std::vector<Gate> expand_gates(const std::vector<Gate>& gates, const std::vector<JobVariant>& variants) {
+  std::vector<Gate> result;
+  for (const auto& gate : gates) {
+    const auto before = result.size();
+    for (const auto& variant : variants) {
+      if (variant.swept_from != gate.variant) continue;
+      result.push_back(gate);
+      result.back().variant = variant.name;
+      result.back().as_written += " (" + variant.name + ")";
+    }
+    if (result.size() == before) result.push_back(gate);
+  }
+  return result;
+}
+
+std::vector<View> chosen_views(const CameraScript& script) {
+  const auto views = read_camera_script(script.file);
+  if (script.names.empty()) return views;
+  std::vector<View> chosen;
+  for (const auto& name : script.names) {
+    const auto found =
+        std::find_if(views.begin(), views.end(), [&](const View& v) { return v.name == name; });
+    if (found == views.end())
+      throw Error("has no view '" + name + "'" + did_you_mean(name, row_names(views)), script.file.string());
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+std::vector<JobVariant> expand_sweeps(const std::vector<JobVariant>& variants) {
+  std::vector<JobVariant> result;
+  for (const auto& variant : variants)
+    for (auto& one : expand_sweep(variant)) result.push_back(std::move(one));
+  return result;
+}
+
+const std::vector<View>& views_of(const JobScene& scene) {
+  return std::get<std::vector<View>>(scene.views);
+}
+
+std::filesystem::path stored_cameras(const JobScene& scene) {
+  return std::filesystem::path("cameras") / (escape_file_name(scene.name) + ".json");
+}
+
+Job make_concrete(const Job& job, const std::filesystem::path& out, const DrawViews& draw_views) {
+  Job result = job;
+  result.variants = expand_sweeps(job.variants);
+  result.gates = expand_gates(job.gates, result.variants);
+  for (auto& scene : result.scenes) {
+    if (const auto* script = std::get_if<CameraScript>(&scene.views)) {
+      auto views = chosen_views(*script);
+      scene.views = std::move(views);
+    } else if (const auto* request = std::get_if<RandomViewsRequest>(&scene.views)) {
+      const auto file = out / stored_cameras(scene);
+      write_file_atomic(file,
+                        camera_script_text(draw_views(scene, *request, double(job.width) / job.height)));
+      scene.views = read_camera_script(file);
+    }
+  }
+  return result;
+}
+
+}  // namespace lightbench

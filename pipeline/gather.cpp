@@ -1,0 +1,261 @@
+#include "pipeline/gather.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "pipeline/concrete.h"
+#include "pipeline/tables.h"
+#include "pipeline/version.h"
+#include "renderer/technique.h"
+
+namespace lightbench {
+namespace {
+
+std::map<std::string, std::string> params_as_text(const ParamValues& params) {
+  std::map<std::string, std::string> result;
+  for (const auto& [name, value] : params.all()) result[name] = to_text(value);
+  return result;
+}
+
+/// "1 bounce", "2 bounces".
+std::string bounces_text(int bounces) {
+  return fmt::format("{} bounce{}", bounces, bounces == 1 ? "" : "s");
+}
+
+class Gatherer {
+ public:
+  Gatherer(const Plan& plan, const PlanFacts& facts, const std::vector<TaskOutcome>& outcomes)
+      : plan_(plan), facts_(facts), outcomes_(outcomes) {}
+
+  RunReport gather() {
+    const Job& job = plan_.job;
+    report_.job = job.name;
+    report_.job_file = job.file.string();
+    report_.width = job.width;
+    report_.height = job.height;
+    report_.samples = job.samples;
+    report_.baseline = job.baseline;
+    report_.primary_reference = job.primary_reference;
+    report_.metric_names = job.metrics;
+    report_.tools = tool_versions();
+    if (!facts_.renderer.empty()) report_.tools["OpenGL"] = facts_.renderer;
+    for (const auto& [kind, version] : facts_.tools) report_.tools[kind] = version;
+    add_sources();
+    add_scenes();
+    for (std::size_t i = 0; i < plan_.tasks.size(); ++i) add_task(i);
+    return std::move(report_);
+  }
+
+ private:
+  void add_sources() {
+    for (const auto& variant : plan_.job.variants) {
+      const Technique& technique = find_technique(variant.technique, "");
+      report_.variants.push_back({variant.name, variant.technique, params_as_text(variant_params(variant)),
+                                  technique.bounces, technique.needs_gl ? facts_.renderer : ""});
+    }
+    for (const auto& reference : plan_.job.references) {
+      const ParamValues params = reference_params(reference);
+      const auto tool = facts_.tools.find(reference.kind);
+      report_.references.push_back({reference.name, reference.kind, params_as_text(params),
+                                    find_reference_kind(reference.kind, "").bounces(params),
+                                    tool == facts_.tools.end() ? "" : tool->second});
+    }
+    for (const auto& variant : report_.variants)
+      for (const auto& reference : report_.references)
+        if (const auto warning = bounces_warning(variant, reference); !warning.empty())
+          report_.warnings.push_back(warning);
+  }
+
+  static std::string bounces_warning(const ReportImageSource& variant, const ReportImageSource& reference) {
+    if (variant.kind == "images" || variant.bounces == reference.bounces) return "";
+    return fmt::format("{} has {} of indirect light, {} has {}", variant.name, bounces_text(variant.bounces),
+                       reference.name, bounces_text(reference.bounces));
+  }
+
+  void add_scenes() {
+    for (std::size_t i = 0; i < plan_.job.scenes.size(); ++i) {
+      const SceneFacts& facts = facts_.scenes[i];
+      ReportScene scene;
+      scene.name = plan_.job.scenes[i].name;
+      scene.file = plan_.job.scenes[i].as_written;
+      scene.triangles = facts.triangles;
+      scene.warnings = facts.warnings;
+      for (const auto& [kind, warnings] : facts.kind_warnings)
+        for (const auto& warning : warnings) scene.warnings.push_back(kind + ": " + warning);
+      if (!facts.error.empty()) scene.warnings.push_back("could not be read: " + facts.error);
+      for (const auto& credit : facts.credits)
+        scene.credits.push_back({credit.piece, credit.creator, credit.license});
+      report_.scenes.push_back(std::move(scene));
+    }
+  }
+
+  void add_task(std::size_t i) {
+    switch (plan_.tasks[i].kind) {
+      case TaskKind::snapshot:
+      case TaskKind::reference:
+        return add_image(i);
+      case TaskKind::score:
+        return add_score(i);
+      case TaskKind::export_:
+        return;  // told with the reference that needs it
+    }
+  }
+
+  /// An image that was not made because its export failed has failed as well: it is the row that people see.
+  Outcome outcome_of(std::size_t i) const {
+    switch (outcomes_[i].state) {
+      case TaskState::done:
+      case TaskState::cached:
+        return Outcome::ok;
+      case TaskState::failed:
+        return Outcome::failed;
+      default:
+        break;
+    }
+    const auto& deps = plan_.tasks[i].deps;
+    const bool export_failed = plan_.tasks[i].kind == TaskKind::reference &&
+                               std::any_of(deps.begin(), deps.end(), [&](std::size_t dep) {
+                                 return outcomes_[dep].state == TaskState::failed;
+                               });
+    return export_failed ? Outcome::failed : Outcome::skipped;
+  }
+
+  void add_image(std::size_t i) {
+    const Task& task = plan_.tasks[i];
+    const Job& job = plan_.job;
+    ReportImage image;
+    image.scene = job.scenes[std::size_t(task.scene)].name;
+    image.view = views_of(job.scenes[std::size_t(task.scene)])[std::size_t(task.view)].name;
+    image.is_reference = task.kind == TaskKind::reference;
+    image.source = image.is_reference ? job.references[std::size_t(task.reference)].name
+                                      : job.variants[std::size_t(task.variant)].name;
+    image.outcome = outcome_of(i);
+    image.error = outcomes_[i].reason;
+    if (image.outcome == Outcome::ok) {
+      const std::string stem = image_stem(job, task.scene, task.view, image.source);
+      image.exr = stem + ".exr";
+      image.png = stem + ".png";
+      if (image.is_reference) add_export(task, stem, image);
+      if (!image.is_reference)
+        for (const auto& buffer : variant_buffers(job, job.variants[std::size_t(task.variant)]))
+          image.buffers[buffer] = buffer_stem(job, task.scene, task.view, image.source, buffer) + ".png";
+      const LedgerEntry& entry = *outcomes_[i].entry;
+      image.seconds = entry.result.seconds;
+      image.cached = outcomes_[i].state == TaskState::cached;
+      image.contended = entry.contended;
+      image.passes = entry.result.passes;
+      image.warnings = entry.result.warnings;
+    }
+    report_.images.push_back(std::move(image));
+  }
+
+  void add_export(const Task& task, const std::string& stem, ReportImage& image) {
+    const std::string file =
+        stem + find_reference_kind(plan_.job.references[std::size_t(task.reference)].kind, "").view_extension;
+    std::error_code error;
+    if (std::filesystem::exists(plan_.out / file, error)) image.pov = file;
+  }
+
+  void add_score(std::size_t i) {
+    const Task& task = plan_.tasks[i];
+    const Job& job = plan_.job;
+    ReportScore score;
+    score.scene = job.scenes[std::size_t(task.scene)].name;
+    score.view = views_of(job.scenes[std::size_t(task.scene)])[std::size_t(task.view)].name;
+    score.variant = job.variants[std::size_t(task.variant)].name;
+    score.reference = job.references[std::size_t(task.reference)].name;
+    score.outcome = outcome_of(i);
+    score.error = outcomes_[i].reason;
+    if (score.outcome == Outcome::ok) {
+      score.metrics = outcomes_[i].entry->result.metrics;
+      const std::string stem = score_stem(job, task.scene, task.view, score.variant, score.reference);
+      for (const auto& output : task.outputs) {
+        if (output.ends_with(".heat.png"))
+          score.heat_png = output;
+        else if (output == stem + ".diff.png")
+          score.difference_png = output;
+        else if (output.ends_with(".diff.png"))
+          score.baseline_difference_png = output;
+      }
+    }
+    const auto warning = bounces_warning(report_.variants[std::size_t(task.variant)],
+                                         report_.references[std::size_t(task.reference)]);
+    if (!warning.empty()) score.warnings.push_back(warning);
+    report_.scores.push_back(std::move(score));
+  }
+
+  const Plan& plan_;
+  const PlanFacts& facts_;
+  const std::vector<TaskOutcome>& outcomes_;
+  RunReport report_;
+};
+
+/// The report with only those scores that were asked for or are there.
+RunReport judged_part(const Plan& plan, const RunReport& report, const std::vector<bool>& selected) {
+  RunReport part = report;
+  part.scores.clear();
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < plan.tasks.size(); ++i) {
+    if (plan.tasks[i].kind != TaskKind::score) continue;
+    const ReportScore& score = report.scores[next++];
+    if (selected[i] || score.outcome == Outcome::ok) part.scores.push_back(score);
+  }
+  return part;
+}
+
+bool has_score(const Gate& gate, const RunReport& report) {
+  const std::string& reference = gate.reference.empty() ? report.primary_reference : gate.reference;
+  const auto matches = [](const std::string& name, const std::string& pattern) {
+    return pattern.empty() || matches_name(name, pattern);
+  };
+  return std::any_of(report.scores.begin(), report.scores.end(), [&](const ReportScore& score) {
+    return matches_name(score.variant, gate.variant) && score.reference == reference &&
+           matches(score.scene, gate.scene) && matches(score.view, gate.view);
+  });
+}
+
+void judge_gates(const Plan& plan, const std::vector<bool>& selected, RunReport& report) {
+  if (selected.empty()) {
+    report.gates = evaluate_gates(plan.job.gates, report);
+    return;
+  }
+  const RunReport part = judged_part(plan, report, selected);
+  for (const auto& gate : plan.job.gates) {
+    if (has_score(gate, part))
+      report.gates.push_back(evaluate_gate(gate, part));
+    else
+      report.warnings.push_back("not judged, since this part of the run has no score for it: " +
+                                gate.as_written);
+  }
+}
+
+}  // namespace
+
+RunReport gather_report(const Plan& plan, const PlanFacts& facts, const std::vector<TaskOutcome>& outcomes,
+                        const std::vector<bool>& selected) {
+  RunReport report = Gatherer(plan, facts, outcomes).gather();
+  judge_gates(plan, selected, report);
+  return report;
+}
+
+ExitCode exit_code_of(const RunReport& report, const std::vector<TaskOutcome>& outcomes,
+                      const std::vector<bool>& selected) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const bool wanted = selected.empty() || selected[i];
+    if (wanted && (outcomes[i].state == TaskState::failed || outcomes[i].state == TaskState::skipped))
+      return ExitCode::task_failed;
+  }
+  return exit_code_of(report);
+}
+
+ExitCode exit_code_of(const RunReport& report) {
+  const auto failed = [](const auto& row) { return row.outcome == Outcome::failed; };
+  if (std::any_of(report.images.begin(), report.images.end(), failed) ||
+      std::any_of(report.scores.begin(), report.scores.end(), failed))
+    return ExitCode::task_failed;
+  const auto passed = [](const ReportGate& gate) { return gate.passed; };
+  return std::all_of(report.gates.begin(), report.gates.end(), passed) ? ExitCode::ok : ExitCode::gate_failed;
+}
+
+}  // namespace lightbench

@@ -1,0 +1,110 @@
+#include "pipeline/inspect.h"
+
+#include <algorithm>
+
+#include <glm/trigonometric.hpp>
+
+#include "base/error.h"
+#include "base/hash.h"
+#include "pipeline/concrete.h"
+#include "pipeline/snapshot.h"
+#include "renderer/rays.h"
+#include "renderer/renderer.h"
+#include "renderer/techniques/images.h"
+#include "scene/random_views.h"
+#include "scene/scene_file.h"
+
+namespace lightbench {
+namespace {
+
+void inspect_exports(const Job& job, const JobScene& job_scene, const Scene& scene, SceneFacts& facts) {
+  std::map<std::string, std::unique_ptr<SceneExport>> exports;
+  for (const auto& reference : job.references) {
+    auto& exported = exports[reference.kind];
+    if (!exported) {
+      exported = find_reference_kind(reference.kind, "").make_export(scene);
+      facts.kind_warnings[reference.kind] = exported->warnings();
+    }
+    auto& parts = facts.exports.emplace_back();
+    const ParamValues params = reference_params(reference);
+    for (const auto& view : views_of(job_scene))
+      parts.push_back(
+          exported->key_parts({view, job.width, job.height, job.samples, params, reference.timeout}));
+  }
+}
+
+SceneFacts inspect_scene(const Job& job, const JobScene& job_scene) {
+  SceneFacts facts;
+  try {
+    const Scene scene = load_scene(job_scene.file);
+    for (const auto& file : scene.files) facts.files.emplace_back(file.filename().string(), hash_file(file));
+    facts.triangles = triangle_count(scene);
+    facts.warnings = scene.warnings;
+    facts.credits = scene.credits;
+    for (const auto& variant : job.variants) {
+      const Technique& technique = find_technique(variant.technique, "");
+      facts.unsupported.push_back(technique.unsupported
+                                      ? technique.unsupported(scene, variant_params(variant))
+                                      : std::vector<std::string>());
+    }
+    inspect_exports(job, job_scene, scene, facts);
+  } catch (const Error& error) {
+    facts = SceneFacts();
+    facts.error = error.what();
+  }
+  return facts;
+}
+
+/// The picture that an `images` variant shows of a view; one that is not there fails when it is read.
+KeyParts picture_parts(const JobVariant& variant, const std::string& scene, const std::string& view) {
+  if (variant.technique != images_technique().name) return {};
+  const std::string file = picture_path(variant_params(variant).text("pattern"), scene, view);
+  try {
+    return {{"picture", hash_file(file)}};
+  } catch (const Error&) {
+    return {{"picture", "missing"}};
+  }
+}
+
+}  // namespace
+
+PlanFacts inspect(const Job& job, const std::string& gl) {
+  PlanFacts facts;
+  facts.gl = gl;
+  const auto needs_gl = [](const JobVariant& v) { return find_technique(v.technique, "").needs_gl; };
+  if (std::any_of(job.variants.begin(), job.variants.end(), needs_gl))
+    facts.renderer = Renderer(parse_gl(gl, "--gl")).description();
+  for (const auto& reference : job.references) {
+    if (facts.tools.contains(reference.kind) || facts.missing_tools.contains(reference.kind)) continue;
+    try {
+      facts.tools[reference.kind] = find_reference_kind(reference.kind, "").tool_version();
+    } catch (const Error& error) {
+      facts.missing_tools[reference.kind] = error.what();
+    }
+  }
+  for (const auto& scene : job.scenes) {
+    facts.scenes.push_back(inspect_scene(job, scene));
+    auto& pictures = facts.pictures.emplace_back();
+    for (const auto& view : views_of(scene)) {
+      auto& row = pictures.emplace_back();
+      for (const auto& variant : job.variants) row.push_back(picture_parts(variant, scene.name, view.name));
+    }
+  }
+  return facts;
+}
+
+std::vector<View> draw_job_views(const JobScene& job_scene, const RandomViewsRequest& request,
+                                 double aspect) {
+  const Scene scene = load_scene(job_scene.file);
+  const SceneRays rays(scene);
+  RandomViewOptions options;
+  options.count = request.count;
+  options.seed = request.seed;
+  options.fov = glm::radians(float(request.fov));
+  options.aspect = float(aspect);
+  return draw_random_views(scene, options, [&rays](const glm::vec3& origin, const glm::vec3& direction) {
+    return rays.closest_hit(origin, direction);
+  });
+}
+
+}  // namespace lightbench

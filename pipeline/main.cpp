@@ -1,0 +1,5 @@
+#include "pipeline/cli.h"
+
+int main(int argc, char** argv) {
+  return lightbench::run_cli(argc, argv);
+}

@@ -1,0 +1,296 @@
+#include "pipeline/plan.h"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "base/hash.h"
+#include "base/text.h"
+#include "pipeline/concrete.h"
+#include "renderer/technique.h"
+#include "reports/metric.h"
+
+namespace lightbench {
+namespace {
+
+/// Raised when a task's outputs change though nothing else in its key does.
+constexpr int kSnapshotVersion = 1;
+constexpr int kScoreVersion = 1;
+
+/// Guesses for an image of a megapixel; what was measured in earlier runs replaces them.
+constexpr double kSnapshotSeconds = 0.6;
+constexpr double kRadiositySeconds = 25;
+constexpr double kScoreSeconds = 0.25;
+constexpr double kTaskTimeout = 1800;
+
+std::string params_text(const ParamValues& params) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : params.all()) parts.push_back(fmt::format("{}={}", name, to_text(value)));
+  return join(parts, " ");
+}
+
+std::string vec_text(const glm::vec3& v) {
+  return fmt::format("{} {} {}", v.x, v.y, v.z);
+}
+
+std::string view_text(const Camera& camera) {
+  return fmt::format("position {} look_at {} up {} fov {}", vec_text(camera.position),
+                     vec_text(camera.look_at), vec_text(camera.up), camera.fov);
+}
+
+class Planner {
+ public:
+  Planner(const Job& job, const PlanFacts& facts, const std::filesystem::path& out) : facts_(facts) {
+    plan_.job = job;
+    plan_.out = out;
+    plan_.gl = facts.gl;
+  }
+
+  Plan make() {
+    for (int scene = 0; scene < int(job().scenes.size()); ++scene) add_scene(scene);
+    return std::move(plan_);
+  }
+
+ private:
+  const Job& job() const { return plan_.job; }
+  double megapixels() const {
+    return double(job().width) * job().height * job().samples * job().samples / 786432.0;
+  }
+
+  void add_scene(int scene) {
+    const int views = int(views_of(job().scenes[std::size_t(scene)]).size());
+    shared_exports_.clear();
+    for (int view = 0; view < views; ++view) {
+      std::vector<std::size_t> snapshots, references;
+      for (int v = 0; v < int(job().variants.size()); ++v) snapshots.push_back(add_snapshot(scene, view, v));
+      for (int r = 0; r < int(job().references.size()); ++r)
+        references.push_back(add_reference(scene, view, r));
+      for (std::size_t r = 0; r < references.size(); ++r)
+        for (std::size_t v = 0; v < snapshots.size(); ++v)
+          add_score(scene, view, int(v), int(r), snapshots, references[r]);
+    }
+  }
+
+  Task start_task(TaskKind kind, int scene, int view, const std::vector<std::string>& names) {
+    Task task;
+    task.kind = kind;
+    task.scene = scene;
+    task.view = view;
+    const auto& job_scene = job().scenes[std::size_t(scene)];
+    std::vector<std::string> plain = {job_scene.name};
+    if (view != kNone) plain.push_back(views_of(job_scene)[std::size_t(view)].name);
+    plain.insert(plain.end(), names.begin(), names.end());
+    std::vector<std::string> escaped;
+    for (const auto& name : plain) escaped.push_back(escape_file_name(name));
+    task.id = to_text(kind) + ":" + join(escaped, "/");
+    task.label = join(plain, "/");
+    task.timeout_seconds = kTaskTimeout;
+    const auto& error = facts_.scenes[std::size_t(scene)].error;
+    if (!error.empty()) task.refused = error;
+    return task;
+  }
+
+  std::size_t finish_task(Task task) {
+    task.key = key_of(task.key_parts);
+    plan_.tasks.push_back(std::move(task));
+    return plan_.tasks.size() - 1;
+  }
+
+  void add_size(KeyParts& parts) const {
+    parts.emplace_back("size", fmt::format("{}x{}", job().width, job().height));
+    parts.emplace_back("samples", std::to_string(job().samples));
+  }
+
+  std::size_t add_snapshot(int scene, int view, int variant_index) {
+    const JobVariant& variant = job().variants[std::size_t(variant_index)];
+    const Technique& technique = find_technique(variant.technique, "");
+    const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
+    const auto& camera = views_of(job().scenes[std::size_t(scene)])[std::size_t(view)].camera;
+    Task task = start_task(TaskKind::snapshot, scene, view, {variant.name});
+    task.variant = variant_index;
+    const auto buffers = variant_buffers(job(), variant);
+    task.key_parts = {{"version", std::to_string(kSnapshotVersion)}};
+    for (const auto& [name, hash] : facts.files) task.key_parts.emplace_back("file " + name, hash);
+    task.key_parts.emplace_back("view", view_text(camera));
+    task.key_parts.emplace_back("technique", technique.name + " " + technique_fingerprint(technique));
+    task.key_parts.emplace_back("parameters", params_text(variant_params(variant)));
+    add_size(task.key_parts);
+    task.key_parts.emplace_back("buffers", join(buffers, " "));
+    if (technique.needs_gl) task.key_parts.emplace_back("renderer", facts_.renderer);
+    if (!facts_.pictures.empty())
+      for (const auto& part :
+           facts_.pictures[std::size_t(scene)][std::size_t(view)][std::size_t(variant_index)])
+        task.key_parts.push_back(part);
+    const std::string stem = image_stem(job(), scene, view, variant.name);
+    task.outputs = {stem + ".exr", stem + ".png"};
+    for (const auto& buffer : buffers) {
+      task.outputs.push_back(buffer_stem(job(), scene, view, variant.name, buffer) + ".exr");
+      task.outputs.push_back(buffer_stem(job(), scene, view, variant.name, buffer) + ".png");
+    }
+    task.group = "scene " + std::to_string(scene);
+    task.expected_seconds = kSnapshotSeconds * (0.3 + megapixels());
+    task.resources.memory_mb = int(200 + 300 * megapixels() + double(facts.triangles) / 2000);
+    if (task.refused.empty() && !facts.unsupported.empty())
+      task.refused = join(facts.unsupported[std::size_t(variant_index)], "; ");
+    return finish_task(std::move(task));
+  }
+
+  /// The files of a reference kind that all views of the scene share.
+  std::size_t shared_export(int scene, const JobReference& reference, const KeyParts& parts) {
+    if (const auto found = shared_exports_.find(reference.kind); found != shared_exports_.end())
+      return found->second;
+    Task task = start_task(TaskKind::export_, scene, kNone, {reference.kind});
+    for (const auto& part : parts)
+      if (part.first.starts_with("shared")) task.key_parts.push_back(part);
+    task.reference = int(&reference - job().references.data());
+    task.group = "scene " + std::to_string(scene);
+    task.expected_seconds = 0.05 + double(facts_.scenes[std::size_t(scene)].triangles) * 3e-6;
+    task.resources.memory_mb = int(100 + double(facts_.scenes[std::size_t(scene)].triangles) / 1000);
+    return shared_exports_[reference.kind] = finish_task(std::move(task));
+  }
+
+  std::size_t add_reference(int scene, int view, int reference_index) {
+    const JobReference& reference = job().references[std::size_t(reference_index)];
+    const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
+    KeyParts parts;
+    if (!facts.exports.empty()) parts = facts.exports[std::size_t(reference_index)][std::size_t(view)];
+    const std::size_t shared = shared_export(scene, reference, parts);
+    const std::string stem = image_stem(job(), scene, view, reference.name);
+
+    Task exported = start_task(TaskKind::export_, scene, view, {reference.name});
+    exported.reference = reference_index;
+    exported.key_parts = parts;
+    exported.outputs = {stem + find_reference_kind(reference.kind, "").view_extension};
+    exported.group = "scene " + std::to_string(scene);
+    exported.expected_seconds = 0.02;
+    exported.resources.memory_mb = 100;
+    const std::size_t export_task = finish_task(std::move(exported));
+
+    Task task = start_task(TaskKind::reference, scene, view, {reference.name});
+    task.reference = reference_index;
+    task.key_parts = parts;
+    add_size(task.key_parts);
+    const auto tool = facts_.tools.find(reference.kind);
+    task.key_parts.emplace_back("tool", tool == facts_.tools.end() ? "none" : tool->second);
+    task.outputs = {stem + ".exr", stem + ".png"};
+    task.deps = {shared, export_task};
+    const int bounces = find_reference_kind(reference.kind, "").bounces(reference_params(reference));
+    task.expected_seconds = 1 + megapixels() * (bounces > 0 ? kRadiositySeconds : kRadiositySeconds / 10) +
+                            double(facts.triangles) * 1e-5;
+    task.timeout_seconds = double(reference.timeout.count()) / 1000 + 60;
+    task.resources.memory_mb = int(100 + 100 * megapixels() + double(facts.triangles) / 1000);
+    const auto missing = facts_.missing_tools.find(reference.kind);
+    if (task.refused.empty() && missing != facts_.missing_tools.end()) task.refused = missing->second;
+    return finish_task(std::move(task));
+  }
+
+  std::string metric_versions() const {
+    std::vector<std::string> parts;
+    for (const auto& name : job().metrics)
+      parts.push_back(fmt::format("{}:{}", name, find_metric(name, "").version));
+    return join(parts, " ");
+  }
+
+  void add_score(int scene, int view, int variant_index, int reference_index,
+                 const std::vector<std::size_t>& snapshots, std::size_t reference_task) {
+    const auto& variant = job().variants[std::size_t(variant_index)].name;
+    const auto& reference = job().references[std::size_t(reference_index)].name;
+    const auto& difference = job().difference;
+    Task task = start_task(TaskKind::score, scene, view, {variant, reference});
+    task.variant = variant_index;
+    task.reference = reference_index;
+    task.deps = {snapshots[std::size_t(variant_index)], reference_task};
+    task.key_parts = {{"version", std::to_string(kScoreVersion)},
+                      {"snapshot", plan_.tasks[task.deps[0]].key},
+                      {"reference", plan_.tasks[reference_task].key},
+                      {"metrics", metric_versions()}};
+    task.key_parts.emplace_back("difference", fmt::format("{} {} {} {}", difference.images, difference.heat,
+                                                          difference.baseline, difference.heat_scale));
+    const std::string stem = score_stem(job(), scene, view, variant, reference);
+    task.outputs = {stem + ".score.json"};
+    if (difference.images) task.outputs.push_back(stem + ".diff.png");
+    if (difference.heat) task.outputs.push_back(stem + ".heat.png");
+    if (!job().baseline.empty()) add_baseline(task, scene, view, variant, snapshots);
+    task.group = "scores " + std::to_string(scene);
+    task.expected_seconds = kScoreSeconds * megapixels() / (job().samples * job().samples);
+    task.resources.memory_mb = int(100 + 100 * megapixels());
+    task.timeout_seconds = kTaskTimeout;
+    finish_task(std::move(task));
+  }
+
+  void add_baseline(Task& task, int scene, int view, const std::string& variant,
+                    const std::vector<std::size_t>& snapshots) {
+    const auto found = std::find_if(job().variants.begin(), job().variants.end(),
+                                    [&](const JobVariant& v) { return v.name == job().baseline; });
+    assert(found != job().variants.end());
+    const std::size_t baseline = snapshots[std::size_t(found - job().variants.begin())];
+    task.key_parts.emplace_back("baseline", plan_.tasks[baseline].key);
+    if (variant == job().baseline) return;
+    task.deps.push_back(baseline);
+    const bool first_reference = task.reference == 0;
+    if (job().difference.images && job().difference.baseline && first_reference)
+      task.outputs.push_back(score_stem(job(), scene, view, variant, job().baseline) + ".diff.png");
+  }
+
+  const PlanFacts& facts_;
+  Plan plan_;
+  std::map<std::string, std::size_t> shared_exports_;
+};
+
+}  // namespace
+
+const std::vector<std::string>& task_kind_names() {
+  static const std::vector<std::string> names = {"snapshot", "export", "reference", "score"};
+  return names;
+}
+
+std::string to_text(TaskKind kind) {
+  return task_kind_names()[static_cast<std::size_t>(kind)];
+}
+
+std::string view_folder(const Job& job, int scene, int view) {
+  const auto& job_scene = job.scenes[std::size_t(scene)];
+  return fmt::format("views/{}/{}", escape_file_name(job_scene.name),
+                     escape_file_name(views_of(job_scene)[std::size_t(view)].name));
+}
+
+std::string image_stem(const Job& job, int scene, int view, const std::string& source) {
+  return view_folder(job, scene, view) + "/" + escape_file_name(source);
+}
+
+std::string score_stem(const Job& job, int scene, int view, const std::string& variant,
+                       const std::string& other) {
+  return image_stem(job, scene, view, variant) + "~" + escape_file_name(other);
+}
+
+std::string buffer_stem(const Job& job, int scene, int view, const std::string& variant,
+                        const std::string& buffer) {
+  return image_stem(job, scene, view, variant) + "~~" + escape_file_name(buffer);
+}
+
+std::string shared_export_folder(const Job& job, int scene, const std::string& kind) {
+  return escape_file_name(kind) + "/" + escape_file_name(job.scenes[std::size_t(scene)].name);
+}
+
+std::vector<std::string> variant_buffers(const Job& job, const JobVariant& variant) {
+  std::vector<std::string> result;
+  for (const auto& buffer : find_technique(variant.technique, "").buffers)
+    if (std::find(job.buffers.begin(), job.buffers.end(), buffer.name) != job.buffers.end())
+      result.push_back(buffer.name);
+  return result;
+}
+
+std::string key_of(const KeyParts& parts) {
+  Hasher hasher;
+  for (const auto& [name, value] : parts) hasher.field(name, value);
+  return hasher.digest();
+}
+
+Plan make_plan(const Job& job, const PlanFacts& facts, const std::filesystem::path& out) {
+  return Planner(job, facts, out).make();
+}
+
+}  // namespace lightbench

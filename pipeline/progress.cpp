@@ -1,0 +1,94 @@
+#include "pipeline/progress.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "reports/value_text.h"
+
+namespace lightbench {
+namespace {
+
+const char* state_text(TaskState state) {
+  switch (state) {
+    case TaskState::done:
+      return "done";
+    case TaskState::cached:
+      return "there already";
+    case TaskState::failed:
+      return "FAILED";
+    default:
+      return "skipped";
+  }
+}
+
+}  // namespace
+
+Progress::Style Progress::style_of(std::FILE* stream) {
+  return isatty(fileno(stream)) ? Style::terminal : Style::lines;
+}
+
+void Progress::begin(const Schedule& schedule) {
+  schedule_ = &schedule;
+  start_ = std::chrono::steady_clock::now();
+  cached_ = schedule.count(TaskState::cached);
+  const std::size_t waiting = schedule.count(TaskState::waiting);
+  line(fmt::format("{} tasks to do, {} there already; expected {} on {} workers", waiting, cached_,
+                   duration_text(schedule.remaining_seconds() / places_), places_));
+}
+
+void Progress::started(const Task& task) {
+  latest_ = task.id;
+  tick();
+}
+
+void Progress::ended(const Task& task, const TaskOutcome& outcome) {
+  const bool failed = outcome.state == TaskState::failed;
+  if (outcome.entry) {
+    expected_ += task.expected_seconds;
+    measured_ += outcome.entry->result.seconds;
+  }
+  if (failed) line(fmt::format("{} FAILED: {}", task.id, outcome.reason));
+  if (!failed && style_ == Style::lines && schedule_)
+    line(fmt::format("{} {} ({:.2f} s){}", task.id, state_text(outcome.state),
+                     outcome.entry ? outcome.entry->result.seconds : 0.0, status()));
+  tick();
+}
+
+void Progress::tick() {
+  if (style_ != Style::terminal || !schedule_) return;
+  std::fprintf(stream_, "\r\x1b[K%s  %s", status().c_str(), latest_.substr(0, 60).c_str());
+  std::fflush(stream_);
+}
+
+void Progress::finish() {
+  if (style_ == Style::terminal) std::fprintf(stream_, "\r\x1b[K");
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  if (schedule_)
+    line(fmt::format("{} done, {} there already, {} failed, {} skipped in {}",
+                     schedule_->count(TaskState::done), schedule_->count(TaskState::cached),
+                     schedule_->count(TaskState::failed), schedule_->count(TaskState::skipped),
+                     duration_text(seconds)));
+  schedule_ = nullptr;
+}
+
+/// " [7/12, 1 failed, 8 s, about 20 s to go]"
+std::string Progress::status() const {
+  const std::size_t done = schedule_->count(TaskState::done);
+  const std::size_t failed = schedule_->count(TaskState::failed);
+  const std::size_t open = schedule_->count(TaskState::waiting) + schedule_->count(TaskState::running);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const double pace = expected_ > 0 ? std::clamp(measured_ / expected_, 0.1, 10.0) : 1.0;
+  const std::string failures = failed ? fmt::format(", {} failed", failed) : "";
+  return fmt::format(" [{}/{}{}, {}, about {} to go]", done + failed, done + failed + open, failures,
+                     duration_text(seconds), duration_text(schedule_->remaining_seconds() * pace / places_));
+}
+
+void Progress::line(const std::string& text) {
+  if (style_ == Style::terminal) std::fprintf(stream_, "\r\x1b[K");
+  std::fprintf(stream_, "%s\n", text.c_str());
+  std::fflush(stream_);
+}
+
+}  // namespace lightbench

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+
+#include "pipeline/executor.h"
+
+namespace lightbench {
+
+/// How a run goes on: one line that is written over and over on a terminal, plain lines elsewhere.
+class Progress : public Watcher {
+ public:
+  enum class Style { terminal, lines };
+
+  Progress(std::FILE* stream, Style style, int places) : stream_(stream), style_(style), places_(places) {}
+  /// By what the stream is.
+  static Style style_of(std::FILE* stream);
+
+  void begin(const Schedule& schedule) override;
+  void started(const Task& task) override;
+  void ended(const Task& task, const TaskOutcome& outcome) override;
+  void tick() override;
+  void finish() override;
+
+ private:
+  std::string status() const;
+  void line(const std::string& text);
+
+  std::FILE* stream_;
+  Style style_;
+  int places_;
+  const Schedule* schedule_ = nullptr;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::size_t cached_ = 0;
+  double expected_ = 0;  ///< of the tasks that this run ended
+  double measured_ = 0;
+  std::string latest_;
+};
+
+}  // namespace lightbench

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/image.h"
+#include "base/params.h"
+#include "scene/scene.h"
+
+namespace lightbench {
+
+/// One reference image to make.
+struct ReferenceRequest {
+  const View& view;
+  int width = 1024;
+  int height = 768;
+  int samples = 1;  ///< supersampling per axis
+  ParamValues params;
+  std::chrono::milliseconds timeout{0};
+};
+
+/// The named parts of a cache key, in order; `plan --explain` compares them one by one.
+using KeyParts = std::vector<std::pair<std::string, std::string>>;
+
+/// Files of an export: those of the scene are shared by all its views.
+struct ExportFiles {
+  std::filesystem::path view_file;  ///< the file of this view
+  std::filesystem::path shared;     ///< folder of what all views of the scene share
+};
+
+struct ReferenceImage {
+  Image image;  ///< linear RGBA; alpha is coverage by objects
+  double seconds = 0;
+  double cpu_seconds = 0;
+  std::string log;
+};
+
+/// What a scene gives to all its reference views: made once, then asked many times.
+class SceneExport {
+ public:
+  virtual ~SceneExport() = default;
+  /// What decides the image, but for the tool's version.
+  virtual KeyParts key_parts(const ReferenceRequest& request) const = 0;
+  virtual std::vector<std::string> warnings() const = 0;
+  /// Writes the files that all views share, and tells their names.
+  virtual std::vector<std::string> write_shared(const std::filesystem::path& folder) const = 0;
+  virtual void write_view(const ReferenceRequest& request, const std::filesystem::path& file) const = 0;
+};
+
+/// An offline renderer that gives the truth: one row in references.cpp.
+struct ReferenceKind {
+  std::string name;
+  std::string doc;
+  std::span<const ParamSpec> params;
+  std::span<const ParamPreset> presets;
+  std::string default_preset;
+  std::string view_extension;  ///< of the exported view file, with its dot
+  int (*bounces)(const ParamValues& params) = nullptr;
+  /// The program's version. Throws Error when it is not there.
+  std::string (*tool_version)() = nullptr;
+  std::unique_ptr<SceneExport> (*make_export)(const Scene& scene) = nullptr;
+  ReferenceImage (*run)(const ReferenceRequest& request, const ExportFiles& files) = nullptr;
+};
+
+/// All kinds of references, in the order of the documentation.
+std::span<const ReferenceKind> reference_kinds();
+/// By name; throws Error(..., where) that names the nearest one.
+const ReferenceKind& find_reference_kind(const std::string& name, const std::string& where);
+
+}  // namespace lightbench

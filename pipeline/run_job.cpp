@@ -1,0 +1,99 @@
+#include "pipeline/run_job.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "pipeline/concrete.h"
+#include "pipeline/executor.h"
+#include "pipeline/gather.h"
+#include "pipeline/inspect.h"
+#include "pipeline/plan_file.h"
+#include "pipeline/progress.h"
+#include "pipeline/runners/local_runner.h"
+#include "reports/report_formats.h"
+
+namespace lightbench {
+namespace {
+
+int memory_mb() {
+  const long pages = sysconf(_SC_PHYS_PAGES);
+  const long page_size = sysconf(_SC_PAGESIZE);
+  return pages > 0 ? int(double(pages) * double(page_size) / (1 << 20) * 0.9) : 1 << 20;
+}
+
+/// A reference that is asked for and cannot be made stops the run before any work.
+void check_tools(const PreparedRun& run, const std::vector<bool>& selected) {
+  for (std::size_t i = 0; i < run.plan.tasks.size(); ++i) {
+    const Task& task = run.plan.tasks[i];
+    if (task.kind != TaskKind::reference || (!selected.empty() && !selected[i])) continue;
+    const auto missing =
+        run.facts.missing_tools.find(run.plan.job.references[std::size_t(task.reference)].kind);
+    if (missing != run.facts.missing_tools.end()) throw Error(missing->second);
+  }
+}
+
+void print_end(const RunReport& report, const std::filesystem::path& out, bool interrupted) {
+  std::printf("\n%s", terminal_summary(report).c_str());
+  for (const auto& warning : report.warnings) std::printf("warning: %s\n", warning.c_str());
+  if (interrupted) std::printf("interrupted: the same command goes on from here\n");
+  std::printf("\n%s\n", (out / "index.html").c_str());
+}
+
+}  // namespace
+
+std::filesystem::path run_folder(const Job& job, const std::filesystem::path& out) {
+  const std::filesystem::path folder =
+      out.empty() ? std::filesystem::path("out") / escape_file_name(job.name) : out;
+  return std::filesystem::absolute(folder).lexically_normal();
+}
+
+PreparedRun prepare_run(const Job& job, const std::filesystem::path& out, const std::string& gl) {
+  PreparedRun run;
+  const Job concrete = make_concrete(job, out, draw_job_views);
+  run.facts = inspect(concrete, gl);
+  run.plan = make_plan(concrete, run.facts, out);
+  return run;
+}
+
+ExitCode run_job(const Job& job, const RunOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string started = utc_now();
+  const auto out = run_folder(job, options.out);
+  Ledger ledger(out / "ledger.jsonl");
+  PreparedRun run = prepare_run(job, out, options.gl);
+  ExecuteOptions execute_options;
+  execute_options.places =
+      options.places > 0 ? options.places : int(std::max(1u, std::thread::hardware_concurrency()));
+  execute_options.memory_mb = memory_mb();
+  if (!options.only.empty() || !options.stages.empty()) {
+    execute_options.selected = select_tasks(run.plan, options.stages, options.only);
+    if (std::none_of(execute_options.selected.begin(), execute_options.selected.end(),
+                     [](bool s) { return s; }))
+      throw Error("nothing in the job matches '" + options.only + "'", "--only");
+  }
+  check_tools(run, execute_options.selected);
+  const auto plan_file = out / "plan.json";
+  write_file_atomic(plan_file, plan_to_json(run.plan));
+
+  FolderCache cache(ledger, out);
+  LocalRunner runner(executable_path(), plan_file);
+  Progress progress(stdout, Progress::style_of(stdout), execute_options.places);
+  const auto outcomes = execute(run.plan, cache, runner, progress, execute_options);
+
+  RunReport report = gather_report(run.plan, run.facts, outcomes, execute_options.selected);
+  report.started = started;
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  write_reports(report, out);
+  print_end(report, out, runner.interrupted());
+  return runner.interrupted() ? ExitCode::task_failed
+                              : exit_code_of(report, outcomes, execute_options.selected);
+}
+
+}  // namespace lightbench

@@ -1,0 +1,68 @@
+#include "pipeline/score.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/image_io.h"
+
+namespace lightbench {
+namespace {
+
+/// One byte a pixel from the last component (alpha, or grey of a mask picture): at least half covered counts.
+std::vector<std::uint8_t> mask_from(const Image8& image) {
+  std::vector<std::uint8_t> mask(image.pixel_count());
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    mask[i] = image.data[(i + 1) * std::size_t(image.channels) - 1] >= 128;
+  return mask;
+}
+
+}  // namespace
+
+Score compute_score(const ScoreRequest& request) {
+  Score score;
+  const Image8 reference = read_image_srgb8(request.reference);
+  score.reference = first_channels(reference, 3);
+  score.image = first_channels(read_image_srgb8(request.image), 3);
+  check_pair(score.reference, score.image, request.reference.string(), request.image.string());
+  if (!request.baseline.empty()) {
+    score.baseline = first_channels(read_image_srgb8(request.baseline), 3);
+    check_pair(score.reference, score.baseline, request.reference.string(), request.baseline.string());
+  }
+  std::vector<std::uint8_t> mask;
+  if (!request.mask.empty()) {
+    const Image8 picture = read_image_srgb8(request.mask);
+    check_pair(score.reference, first_channels(picture, 3), request.reference.string(),
+               request.mask.string());
+    mask = mask_from(picture);
+  } else if (request.use_reference_alpha && reference.channels == 4) {
+    mask = mask_from(reference);
+  }
+  score.masked_pixels =
+      mask.empty() ? reference.pixel_count() : std::size_t(std::count(mask.begin(), mask.end(), 1));
+  for (const auto& name : request.metrics) {
+    const Metric& metric = find_metric(name, "");
+    if (metric.needs_baseline && score.baseline.empty()) {
+      score.metrics[name] = MetricValue::undefined("there is no baseline");
+      continue;
+    }
+    score.metrics[name] =
+        metric.compute({score.reference, score.image, score.baseline.empty() ? nullptr : &score.baseline,
+                        mask.empty() ? nullptr : &mask});
+  }
+  return score;
+}
+
+std::string score_json(const Score& score) {
+  nlohmann::ordered_json json = {{"format", 1}, {"object_pixels", score.masked_pixels}};
+  for (const auto& [name, value] : score.metrics) {
+    if (value.value)
+      json["metrics"][name] = *value.value;
+    else
+      json["metrics"][name] = {{"undefined", value.undefined_because}};
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace lightbench

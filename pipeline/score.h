@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/image.h"
+#include "reports/difference_image.h"
+#include "reports/metric.h"
+
+namespace lightbench {
+
+struct ScoreRequest {
+  std::filesystem::path image;
+  std::filesystem::path reference;
+  std::filesystem::path baseline;  ///< empty: none
+  std::filesystem::path mask;      ///< empty: the reference's alpha, if it has one and is to be used
+  std::vector<std::string> metrics;
+  bool use_reference_alpha = true;  ///< else, without a mask, all pixels count
+};
+
+struct Score {
+  Image8 image;  ///< three components, as all of these
+  Image8 reference;
+  Image8 baseline;                ///< empty without one
+  std::size_t masked_pixels = 0;  ///< that masked metrics look at
+  std::map<std::string, MetricValue> metrics;
+};
+
+/// Reads the images on the 0..255 scale and computes the metrics. A metric that needs a baseline where there
+/// is none is undefined. Throws Error for unreadable images, NaN, and other sizes.
+Score compute_score(const ScoreRequest& request);
+
+/// The metrics as JSON.
+std::string score_json(const Score& score);
+
+}  // namespace lightbench

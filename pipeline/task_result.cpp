@@ -1,0 +1,44 @@
+#include "pipeline/task_result.h"
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+
+namespace lightbench {
+
+nlohmann::ordered_json to_json(const TaskResult& result) {
+  nlohmann::ordered_json json;
+  json["seconds"] = result.seconds;
+  json["outputs"] = nlohmann::ordered_json::object();
+  for (const auto& [file, hash] : result.outputs) json["outputs"][file] = hash;
+  if (!result.passes.empty()) json["passes"] = nlohmann::ordered_json::array();
+  for (const auto& pass : result.passes)
+    json["passes"].push_back({{"name", pass.name}, {"seconds", pass.seconds}});
+  if (!result.warnings.empty()) json["warnings"] = result.warnings;
+  for (const auto& [name, metric] : result.metrics)
+    if (metric.value)
+      json["metrics"][name] = *metric.value;
+    else
+      json["metrics"][name] = {{"undefined", metric.undefined_because}};
+  return json;
+}
+
+TaskResult task_result_from_json(const nlohmann::ordered_json& json, const std::string& where) try {
+  TaskResult result;
+  result.seconds = json.at("seconds").get<double>();
+  for (const auto& [file, hash] : json.at("outputs").items()) result.outputs[file] = hash.get<std::string>();
+  if (json.contains("passes"))
+    for (const auto& pass : json.at("passes"))
+      result.passes.push_back({pass.at("name").get<std::string>(), pass.at("seconds").get<double>()});
+  if (json.contains("warnings")) result.warnings = json.at("warnings").get<std::vector<std::string>>();
+  if (json.contains("metrics"))
+    for (const auto& [name, value] : json.at("metrics").items())
+      result.metrics[name] = value.is_number()
+                                 ? MetricValue::of(value.get<double>())
+                                 : MetricValue::undefined(value.at("undefined").get<std::string>());
+  return result;
+} catch (const nlohmann::json::exception& error) {
+  throw Error(std::string("not the result of a task: ") + error.what(), where);
+}
+
+}  // namespace lightbench

@@ -1,0 +1,214 @@
+#include "pipeline/work.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/hash.h"
+#include "base/image_io.h"
+#include "pipeline/concrete.h"
+#include "pipeline/plan_file.h"
+#include "pipeline/score.h"
+#include "pipeline/snapshot.h"
+#include "scene/scene_file.h"
+
+namespace lightbench {
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The parts of a task's key that its export should give again.
+void check_same_export(const Task& task, const KeyParts& made) {
+  for (const auto& part : task.key_parts)
+    if (std::find(made.begin(), made.end(), part) == made.end())
+      throw Error("the scene's files changed while the run went on (" + part.first + ")");
+}
+
+}  // namespace
+
+struct TaskWorker::Impl {
+  explicit Impl(const Plan& p) : plan(p) {}
+
+  const Plan& plan;
+  std::unique_ptr<Renderer> renderer;
+  int loaded = kNone;  ///< index of the scene that is loaded
+  Scene scene;
+  std::map<std::string, std::unique_ptr<SceneExport>> exports;  ///< of that scene, by reference kind
+
+  const Job& job() const { return plan.job; }
+  const JobScene& job_scene(const Task& task) const { return job().scenes[std::size_t(task.scene)]; }
+  const View& view(const Task& task) const {
+    return views_of(job_scene(task))[std::size_t(std::max(task.view, 0))];
+  }
+  std::filesystem::path file(const std::string& relative) const { return plan.out / relative; }
+
+  void load(const Task& task) {
+    if (loaded == task.scene) return;
+    exports.clear();
+    renderer.reset();
+    loaded = kNone;
+    scene = load_scene(job_scene(task).file);
+    scene.name = job_scene(task).name;  // what a folder of pictures is searched by
+    loaded = task.scene;
+  }
+
+  SceneExport& scene_export(const std::string& kind) {
+    auto& made = exports[kind];
+    if (!made) made = find_reference_kind(kind, "").make_export(scene);
+    return *made;
+  }
+
+  ReferenceRequest reference_request(const Task& task) const {
+    const JobReference& reference = job().references[std::size_t(task.reference)];
+    return {view(task),       job().width, job().height, job().samples, reference_params(reference),
+            reference.timeout};
+  }
+
+  TaskResult snapshot(const Task& task);
+  TaskResult export_scene(const Task& task);
+  TaskResult reference(const Task& task);
+  TaskResult score(const Task& task);
+};
+
+TaskResult TaskWorker::Impl::snapshot(const Task& task) {
+  load(task);
+  if (!renderer) renderer = std::make_unique<Renderer>(parse_gl(plan.gl, ""));
+  const JobVariant& variant = job().variants[std::size_t(task.variant)];
+  FrameRequest request{scene, view(task), job().width, job().height, job().samples, {}};
+  const auto buffers = variant_buffers(job(), variant);
+  request.buffers.insert(buffers.begin(), buffers.end());
+  const auto start = std::chrono::steady_clock::now();
+  FrameResult frame =
+      renderer->render(find_technique(variant.technique, ""), variant_params(variant), request);
+  TaskResult result;
+  result.seconds = seconds_since(start);
+  for (const auto& pass : frame.passes) result.passes.push_back({pass.name, pass.seconds});
+  result.warnings = frame.warnings;
+  const std::string stem = image_stem(job(), task.scene, task.view, variant.name);
+  write_image_pair(file(stem + ".exr"), file(stem + ".png"), frame.image,
+                   {{"lightbench:technique", variant.technique}, {"lightbench:key", task.key}});
+  for (const auto& name : buffers) {
+    const std::string buffer = buffer_stem(job(), task.scene, task.view, variant.name, name);
+    const auto found = frame.buffers.find(name);
+    if (found == frame.buffers.end()) throw Error("the technique did not give its buffer '" + name + "'");
+    write_buffer_pair(file(buffer + ".exr"), file(buffer + ".png"), found->second);
+  }
+  return result;
+}
+
+TaskResult TaskWorker::Impl::export_scene(const Task& task) {
+  load(task);
+  const JobReference& reference = job().references[std::size_t(task.reference)];
+  SceneExport& exported = scene_export(reference.kind);
+  const ReferenceRequest request = reference_request(task);
+  check_same_export(task, exported.key_parts(request));
+  TaskResult result;
+  if (task.view != kNone) {
+    exported.write_view(request, file(task.outputs.front()));
+    return result;
+  }
+  const std::string folder = shared_export_folder(job(), task.scene, reference.kind);
+  for (const auto& name : exported.write_shared(file(folder))) result.outputs[folder + "/" + name];
+  return result;
+}
+
+TaskResult TaskWorker::Impl::reference(const Task& task) {
+  const JobReference& reference = job().references[std::size_t(task.reference)];
+  const ReferenceKind& kind = find_reference_kind(reference.kind, "");
+  const std::string stem = image_stem(job(), task.scene, task.view, reference.name);
+  const ExportFiles files{file(stem + kind.view_extension),
+                          file(shared_export_folder(job(), task.scene, reference.kind))};
+  const ReferenceImage made = kind.run(reference_request(task), files);
+  TaskResult result;
+  result.seconds = made.seconds;
+  write_image_pair(file(stem + ".exr"), file(stem + ".png"), made.image,
+                   {{"lightbench:reference", reference.kind}, {"lightbench:key", task.key}});
+  return result;
+}
+
+TaskResult TaskWorker::Impl::score(const Task& task) {
+  const std::string& variant = job().variants[std::size_t(task.variant)].name;
+  const std::string& reference = job().references[std::size_t(task.reference)].name;
+  const auto exr = [&](const std::string& source) {
+    return file(image_stem(job(), task.scene, task.view, source) + ".exr");
+  };
+  ScoreRequest request;
+  request.image = exr(variant);
+  request.reference = exr(reference);
+  if (!job().baseline.empty()) request.baseline = exr(job().baseline);
+  request.metrics = job().metrics;
+  const auto start = std::chrono::steady_clock::now();
+  const Score score = compute_score(request);
+  const std::string stem = score_stem(job(), task.scene, task.view, variant, reference);
+  TaskResult result;
+  result.metrics = score.metrics;
+  write_file_atomic(file(stem + ".score.json"), score_json(score));
+  for (const auto& output : task.outputs) {
+    if (output.ends_with(".heat.png"))
+      write_png(file(output), heat_map(score.reference, score.image, job().difference.heat_scale));
+    else if (output == stem + ".diff.png")
+      write_png(file(output), difference_image(score.reference, score.image));
+    else if (output.ends_with(".diff.png"))
+      write_png(file(output), difference_image(score.baseline, score.image));
+  }
+  result.seconds = seconds_since(start);
+  return result;
+}
+
+TaskWorker::TaskWorker(const Plan& plan) : impl_(std::make_unique<Impl>(plan)) {}
+TaskWorker::~TaskWorker() = default;
+
+TaskResult TaskWorker::work(const Task& task) {
+  const auto start = std::chrono::steady_clock::now();
+  TaskResult result;
+  switch (task.kind) {
+    case TaskKind::snapshot:
+      result = impl_->snapshot(task);
+      break;
+    case TaskKind::export_:
+      result = impl_->export_scene(task);
+      break;
+    case TaskKind::reference:
+      result = impl_->reference(task);
+      break;
+    case TaskKind::score:
+      result = impl_->score(task);
+      break;
+  }
+  if (result.seconds == 0) result.seconds = seconds_since(start);
+  for (const auto& output : task.outputs) result.outputs[output];
+  for (auto& [file, hash] : result.outputs) hash = hash_file(impl_->file(file));
+  return result;
+}
+
+void work_tasks(const std::string& plan_file, const std::vector<std::string>& ids,
+                const std::function<void(const std::string& line)>& say) {
+  const Plan plan = read_plan(plan_file);
+  std::vector<const Task*> tasks;
+  for (const auto& id : ids) {
+    const auto found =
+        std::find_if(plan.tasks.begin(), plan.tasks.end(), [&](const Task& t) { return t.id == id; });
+    if (found == plan.tasks.end()) throw Error("has no task '" + id + "'", plan_file);
+    tasks.push_back(&*found);
+  }
+  TaskWorker worker(plan);
+  const auto text = [](const nlohmann::ordered_json& json) {
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  };
+  for (const Task* task : tasks) {
+    say("start " + task->id);
+    try {
+      say("done " + task->id + " " + text(to_json(worker.work(*task))));
+    } catch (const Error& error) {
+      say("fail " + task->id + " " + text(error.what()));
+    }
+  }
+}
+
+}  // namespace lightbench
