@@ -22,7 +22,7 @@ using ClosestHit = std::function<std::optional<RayHit>(const glm::vec3& origin, 
 struct RandomViewOptions {
   int count = 1;
   std::uint64_t seed = 1;
-  float fov = 1.0472f;  ///< vertical, radians
+  float fov = 1.0471976f;  ///< vertical, radians
   float aspect = 4.0f / 3.0f;
 };
 

@@ -105,7 +105,7 @@ struct Camera {
   glm::vec3 position{0};
   glm::vec3 look_at{0, 0, -1};
   glm::vec3 up{0, 1, 0};
-  float fov = 1.0472f;  ///< vertical, radians
+  float fov = 1.0471976f;  ///< vertical, radians
 };
 
 /// Right-handed orthonormal frame of a camera; up is perpendicular to the view direction.

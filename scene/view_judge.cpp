@@ -24,11 +24,12 @@ constexpr double kMostBackFacesAround = 0.6;  // more: inside of something, or b
 constexpr double kMostBackFacesInView = 0.4;
 constexpr double kFewestHitsAround = 0.1;  // fewer say nothing about the inside
 constexpr double kMostBackground = 0.6;
-constexpr double kMostOfOnePlane = 0.85;      // more: a wall fills the picture
-constexpr double kClearance = 0.02;           // nearest / median distance around
-constexpr double kSmallestClearance = 2e-4;   // nearest distance / diagonal
-constexpr double kNearestViewMedian = 0.15;   // median distance in the view / around
-constexpr double kFarthestNearQuarter = 0.3;  // distance that a quarter of the view keeps below / diagonal
+constexpr double kMostOfOnePlane = 0.85;  // more: a wall fills the picture
+// The upper quartile around the camera is the size of the place: beside a wall, half of all rays are short.
+constexpr double kClearance = 0.015;         // nearest / upper quartile of the distances around
+constexpr double kSmallestClearance = 2e-4;  // nearest distance / diagonal
+constexpr double kNearestViewMedian = 0.1;   // median distance in the view / upper quartile around
+constexpr double kFarthestNearTenth = 0.35;  // distance that a tenth of the view keeps below / diagonal
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -101,7 +102,7 @@ std::optional<std::string> ViewJudge::why_position_is_invalid(const Survey& arou
   if (fronts_count_ && around.back_share() > kMostBackFacesAround)
     return fmt::format("the camera is inside something: {:.0f} % of what surrounds it are back faces",
                        100 * around.back_share());
-  const double clearance = std::max(kClearance * around.quantile(0.5), kSmallestClearance * diagonal_);
+  const double clearance = std::max(kClearance * around.quantile(0.75), kSmallestClearance * diagonal_);
   if (around.distances.front() < clearance)
     return fmt::format("something is {:.3g} from the camera, nearer than {:.3g}", around.distances.front(),
                        clearance);
@@ -116,9 +117,9 @@ std::optional<std::string> ViewJudge::why_sight_is_invalid(const Survey& seen, c
   if (double(seen.largest_plane) > kMostOfOnePlane * double(seen.rays))
     return "a single flat surface fills the picture";
   if (around.hit_share() >= kFewestHitsAround &&
-      seen.quantile(0.5) < kNearestViewMedian * around.quantile(0.5))
+      seen.quantile(0.5) < kNearestViewMedian * around.quantile(0.75))
     return "something close to the camera fills the picture";
-  if (seen.quantile(0.25) > kFarthestNearQuarter * diagonal_) return "nothing is near enough in sight";
+  if (seen.quantile(0.1) > kFarthestNearTenth * diagonal_) return "nothing is near enough in sight";
   return std::nullopt;
 }
 

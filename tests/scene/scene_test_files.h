@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <string_view>
 
@@ -15,8 +16,10 @@ namespace lightbench {
 class SceneTestFiles {
  public:
   std::filesystem::path write(const std::string& name, std::string_view text) const {
-    write_file_atomic(folder_.path() / name, text);
-    return folder_.path() / name;
+    const std::filesystem::path file = folder_.path() / name;
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file, std::ios::binary) << text;
+    return file;
   }
   std::filesystem::path path(const std::string& name) const { return folder_.path() / name; }
 
