@@ -7,13 +7,17 @@
 #include "renderer/technique.h"
 #include "renderer/techniques/ambient.h"
 #include "renderer/techniques/direct.h"
+#include "renderer/techniques/images.h"
+#include "renderer/techniques/isr.h"
 
 namespace lightbench {
 
 std::span<const Technique> techniques() {
   static const std::array table{
       direct_technique(),
+      isr_technique(),
       ambient_technique(),
+      images_technique(),
   };
   return table;
 }
