@@ -39,6 +39,7 @@ std::span<const ReportFormat> report_formats() {
 void write_reports(const RunReport& report, const std::filesystem::path& folder,
                    const std::vector<std::string>& only) {
   std::vector<const ReportFormat*> chosen;
+  chosen.reserve(only.size());
   for (const std::string& name : only) chosen.push_back(&find_format(name));
   if (only.empty())
     for (const ReportFormat& format : report_formats()) chosen.push_back(&format);

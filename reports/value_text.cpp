@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include <fmt/format.h>
@@ -79,11 +80,13 @@ std::vector<const ReportScore*> worst_first(const RunReport& report, const std::
   for (const ReportScore& score : report.scores) {
     if (score.variant != variant || score.reference != reference) continue;
     const MetricValue value = metric_of(score, metric);
-    const double badness = value.value ? (higher_is_better ? -*value.value : *value.value) : INFINITY;
+    const double badness = value.value ? (higher_is_better ? -*value.value : *value.value)
+                                       : std::numeric_limits<double>::infinity();
     order.emplace_back(badness, &score);
   }
   std::ranges::stable_sort(order, std::ranges::greater{}, [](const auto& entry) { return entry.first; });
   std::vector<const ReportScore*> scores;
+  scores.reserve(order.size());
   for (const auto& [badness, score] : order) scores.push_back(score);
   return scores;
 }

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "reports/escape.h"
 #include "reports/formats/html_parts.h"
@@ -12,6 +12,8 @@ namespace lightbench {
 namespace {
 
 using View = ViewRows::View;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The numbers below a picture.
 constexpr const char* kCaptionMetrics[] = {"mean_error", "gain", "pearson"};
@@ -113,7 +115,7 @@ std::string score_caption(const RunReport& report, const ReportScore* score) {
 std::vector<std::string> best_variants(const RunReport& report, const View& view,
                                        const std::string& reference) {
   std::vector<std::string> best;
-  double smallest = INFINITY;
+  double smallest = kInfinity;
   std::size_t known = 0;
   for (const ReportImageSource& variant : report.variants) {
     const ReportScore* score = view.score(variant.name, reference);
@@ -137,7 +139,7 @@ std::string variant_cell(const RunReport& report, const View& view, const std::s
 
 /// Numbers that the row can be sorted by: the worst gain and the largest error of its variants.
 std::string sort_keys(const RunReport& report, const View& view, const std::string& reference) {
-  double gain = INFINITY, error = -INFINITY;
+  double gain = kInfinity, error = -kInfinity;
   for (const ReportImageSource& variant : report.variants) {
     const ReportScore* score = view.score(variant.name, reference);
     if (!score || variant.name == report.baseline) continue;
@@ -191,8 +193,8 @@ std::string toolbar(const RunReport& report) {
 std::vector<std::string> reference_names(const RunReport& report) {
   std::vector<std::string> names;
   for (const ReportImageSource& reference : report.references) names.push_back(reference.name);
-  std::ranges::stable_partition(names,
-                                [&](const std::string& name) { return name == report.primary_reference; });
+  std::stable_partition(names.begin(), names.end(),
+                        [&](const std::string& name) { return name == report.primary_reference; });
   if (names.empty()) names.emplace_back();
   return names;
 }
@@ -221,52 +223,6 @@ std::string html_pictures(const RunReport& report, const ViewRows& rows) {
       "</tbody></table></div>\n<p class=\"note\">≈ marks times met while other tasks ran at the same time; "
       "<code>lightbench bench</code> measures. A picture opens the viewer: slide, flip, zoom.</p>\n";
   return html + "</section>\n";
-}
-
-std::string html_data(const RunReport& report, const ViewRows& rows) {
-  using Json = nlohmann::ordered_json;
-  Json views = Json::array();
-  for (const View& view : rows.views) {
-    Json pictures = Json::array();
-    const auto add = [&](const std::string& label, const char* kind, const std::string& file,
-                         const std::string& of, const std::string& against) {
-      if (!file.empty())
-        pictures.push_back({{"label", label},
-                            {"kind", kind},
-                            {"src", relative_url(file)},
-                            {"of", of},
-                            {"against", against}});
-    };
-    const auto add_sources = [&](const std::vector<ReportImageSource>& sources, const char* kind) {
-      for (const ReportImageSource& source : sources)
-        if (const ReportImage* image = view.image(source.name); image && image->outcome == Outcome::ok)
-          add(source.name, kind, image->png, source.name, "");
-    };
-    add_sources(report.references, "reference");
-    add_sources(report.variants, "variant");
-    Json notes = Json::object();
-    for (const auto& [key, score] : view.scores) {
-      const auto& [variant, reference] = key;
-      const std::string pair = variant + " against " + reference;
-      add("Difference: " + pair, "difference", score->difference_png, variant, reference);
-      add("Heat map: " + pair, "heat", score->heat_png, variant, reference);
-      add("Difference: " + variant + " against the baseline", "change", score->baseline_difference_png,
-          variant, "");
-      Json values = Json::array();
-      for (const std::string& name : report.metric_names) {
-        const Metric metric = metric_or_plain(name);
-        values.push_back({metric_heading(metric), value_text(metric, metric_of(*score, name), "–")});
-      }
-      notes[variant][reference] = values;
-    }
-    views.push_back({{"name", view.title()}, {"pictures", pictures}, {"scores", notes}});
-  }
-  const Json data = {{"width", report.width},
-                     {"height", report.height},
-                     {"reference", report.primary_reference},
-                     {"baseline", report.baseline},
-                     {"views", views}};
-  return escape_json_for_script(data.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 }  // namespace lightbench

@@ -64,7 +64,7 @@ std::string gates(const RunReport& report) {
   std::string text = "### Gates\n\n" + row({"", "gate", "result"}) + row({":--", ":--", ":--"});
   std::vector<const ReportGate*> order;
   for (const ReportGate& gate : report.gates) order.push_back(&gate);
-  std::ranges::stable_partition(order, [](const ReportGate* gate) { return !gate->passed; });
+  std::stable_partition(order.begin(), order.end(), [](const ReportGate* gate) { return !gate->passed; });
   for (std::size_t i = 0; i < std::min(order.size(), kRows); ++i)
     text += row({order[i]->passed ? "met" : "**not met**", cell(order[i]->text), cell(order[i]->detail)});
   return text + more(order.size()) + "\n";

@@ -80,13 +80,15 @@ void convert(const std::uint8_t* rgb, std::size_t count, const float* linear, Lu
   }
 }
 
-/// Distances as whole multiples of 2^-20, so that their sum does not depend on the order of adding.
+/// Distances as whole multiples of 2^-20 (cut, which is below single precision), so that their sum does not
+/// depend on the order of adding.
 constexpr float kUnit = 1 << 20;
 
 void distances(const LuvBlock& a, const LuvBlock& b, std::size_t count, std::int32_t* out) {
   for (std::size_t i = 0; i < count; ++i) {
     const float l = a.l[i] - b.l[i], u = a.u[i] - b.u[i], v = a.v[i] - b.v[i];
-    out[i] = std::int32_t(std::sqrt(l * l + u * u + v * v) * kUnit + 0.5f);
+    const float units = std::sqrt(l * l + u * u + v * v) * kUnit;
+    out[i] = std::int32_t(units);
   }
 }
 
