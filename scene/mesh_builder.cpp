@@ -206,7 +206,7 @@ class MeshBuilder {
     });
     vertex_corner_.clear();
     vertex_next_.clear();
-    for (const std::uint32_t i : order) {
+    for (const std::size_t i : order) {
       const Triangle& t = triangles_[i];
       glm::uvec3 indices;
       for (std::size_t k = 0; k < 3; ++k) indices[int(k)] = vertex(mesh, t.corners[k], normals_[3 * i + k]);
