@@ -180,7 +180,7 @@ void GlContext::start() {
   glEnable(GL_DEBUG_OUTPUT);
   glDebugMessageCallback(collect, this);
   glDebugMessageControl(GL_DONT_CARE, GL_DONT_CARE, GL_DONT_CARE, 0, nullptr, GL_FALSE);
-  glDebugMessageControl(GL_DONT_CARE, GL_DEBUG_TYPE_ERROR, GL_DONT_CARE, 0, nullptr, GL_TRUE);
+  glDebugMessageControl(GL_DEBUG_SOURCE_API, GL_DEBUG_TYPE_ERROR, GL_DONT_CARE, 0, nullptr, GL_TRUE);
 }
 
 void GlContext::check(const std::string& where) {
@@ -195,6 +195,13 @@ void GlContext::check(const std::string& where) {
   complaints_.clear();
   if (out_of_memory) throw Error("OpenGL is out of memory", where);
   if (!errors.empty()) throw std::logic_error("OpenGL error in " + where + ":" + errors);
+}
+
+void GlContext::forget_complaints() {
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  const std::lock_guard lock(mutex_);
+  complaints_.clear();
 }
 
 std::string GlContext::description() {

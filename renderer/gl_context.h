@@ -23,6 +23,9 @@ class GlContext {
   /// last call.
   void check(const std::string& where);
 
+  /// Forgets complaints that were answered already, by an exception where they arose.
+  void forget_complaints();
+
   /// Backend, GL_RENDERER and GL_VERSION.
   std::string description();
   int max_texture_size();

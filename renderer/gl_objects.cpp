@@ -57,13 +57,14 @@ void set_sampling(unsigned id, Filter filter, Wrap wrap) {
   glTextureParameteri(id, GL_TEXTURE_WRAP_T, edge);
 }
 
+// The rows in OpenGL's order, from the bottom.
 template <typename Component>
-std::vector<Component> flipped(const BasicImage<Component>& image) {
-  const std::size_t row_size = std::size_t(image.width) * std::size_t(image.channels);
+std::vector<Component> flipped(const std::vector<Component>& rows, int height) {
+  const std::size_t row_size = rows.size() / std::size_t(height);
   std::vector<Component> result;
-  result.reserve(image.data.size());
-  for (std::size_t y = std::size_t(image.height); y-- > 0;) {
-    const auto first = image.data.begin() + std::ptrdiff_t(y * row_size);
+  result.reserve(rows.size());
+  for (std::size_t y = std::size_t(height); y-- > 0;) {
+    const auto first = rows.begin() + std::ptrdiff_t(y * row_size);
     result.insert(result.end(), first, first + std::ptrdiff_t(row_size));
   }
   return result;
@@ -113,17 +114,18 @@ GlTexture GlTexture::array(TexelFormat format, int width, int height, int layers
   return texture;
 }
 
-void GlTexture::upload(const Image8& pixels) {
-  assert(pixels.width == width_ && pixels.height == height_ && pixels.channels == 4);
+void GlTexture::upload(const std::vector<std::uint16_t>& texels) {
+  assert(texels.size() == std::size_t(width_) * std::size_t(height_) * 4 && component_count(format_) == 4);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(id(), 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, flipped(pixels).data());
+  glTextureSubImage2D(id(), 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_SHORT,
+                      flipped(texels, height_).data());
 }
 
 void GlTexture::upload(const Image& pixels) {
   assert(pixels.width == width_ && pixels.height == height_ && pixels.channels == component_count(format_));
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(id(), 0, 0, 0, width_, height_, transfer_format(format_, pixels.channels), GL_FLOAT,
-                      flipped(pixels).data());
+                      flipped(pixels.data, height_).data());
 }
 
 void GlTexture::bind(unsigned unit) const {

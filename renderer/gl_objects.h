@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <utility>
+#include <vector>
 
 #include "base/image.h"
 
@@ -69,8 +71,9 @@ class GlTexture {
   TexelFormat format() const { return format_; }
   int layers() const { return layers_; }  ///< 0: not an array
 
-  void upload(const Image8& pixels);  ///< RGBA, row 0 on top: v = 1 is the image's top
-  void upload(const Image& pixels);   ///< float, as many components as the format has, row 0 on top
+  void upload(
+      const std::vector<std::uint16_t>& texels);  ///< RGBA, normalised, row 0 on top: v = 1 is the top
+  void upload(const Image& pixels);  ///< float, as many components as the format has, row 0 on top
   void bind(unsigned unit) const;
 
  private:

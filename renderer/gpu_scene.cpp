@@ -1,12 +1,15 @@
 #include "renderer/gpu_scene.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 
 #include <fmt/format.h>
 #include <glad/gl.h>
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "base/color.h"
 #include "base/error.h"
 #include "base/hash.h"
 
@@ -60,6 +63,18 @@ void split(const Mesh& mesh, std::span<std::uint32_t> triangles, std::uint32_t m
 template <typename T>
 Buffer buffer_of(const std::vector<T>& values) {
   return Buffer(values.data(), values.size() * sizeof(T));
+}
+
+// Linear light in 16 bits: drivers may decode sRGB texels coarsely (to 1/500 in llvmpipe), and filtering is
+// to be done in linear light.
+std::vector<std::uint16_t> linear_texels(const Image8& pixels) {
+  std::array<std::uint16_t, 256> linear{};
+  for (std::size_t i = 0; i < linear.size(); ++i)
+    linear[i] = std::uint16_t(std::lround(srgb_decode8(std::uint8_t(i)) * 65535.0f));
+  std::vector<std::uint16_t> texels(pixels.data.size());
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    texels[i] = i % 4 == 3 ? std::uint16_t(pixels.data[i] * 257) : linear[pixels.data[i]];
+  return texels;
 }
 
 // Index ranges to draw, neighbours joined.
@@ -119,9 +134,8 @@ GpuScene::GpuScene(const Scene& scene) {
       throw Error(fmt::format("a texture of {} x {} texels; OpenGL takes {} here", pixels.width,
                               pixels.height, limit),
                   source.file.string());
-    textures_.emplace_back(TexelFormat::srgb8_alpha8, pixels.width, pixels.height, Filter::linear,
-                           Wrap::repeat);
-    textures_.back().upload(pixels);
+    textures_.emplace_back(TexelFormat::rgba16, pixels.width, pixels.height, Filter::linear, Wrap::repeat);
+    textures_.back().upload(linear_texels(pixels));
   }
   for (const Mesh& mesh : scene.meshes) upload_mesh(scene, mesh);
   for (const Entity& entity : scene.entities)

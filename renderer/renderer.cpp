@@ -68,6 +68,7 @@ struct Renderer::Impl {
       gpu = std::make_unique<GpuState>();
     }
     context->make_current();
+    context->forget_complaints();
   }
 
   void load(const Scene& wanted) {
