@@ -5,9 +5,11 @@
 #include <map>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/error.h"
+#include "scene/nearest_surface.h"
 #include "scene/raw_random.h"
 #include "scene/view_judge.h"
 
@@ -38,10 +40,28 @@ class Rounding {
   double step_;
 };
 
-// A point of the bounds, drawn towards the floor below it, and a direction that is not too steep.
-Camera random_camera(const Bounds& bounds, float fov, RawRandom& random, const ClosestHit& closest_hit) {
+std::size_t random_index(std::size_t count, RawRandom& random) {
+  return std::min(std::size_t(random.unit() * double(count)), count - 1);
+}
+
+// A corner of some triangle of some entity, or nothing where that entity has none.
+std::optional<glm::dvec3> random_vertex(const Scene& scene, RawRandom& random) {
+  const Entity& entity = scene.entities[random_index(scene.entities.size(), random)];
+  const Mesh& mesh = scene.meshes[std::size_t(entity.mesh)];
+  if (mesh.triangles.empty()) return std::nullopt;
+  const auto index = random_index(mesh.triangles.size(), random);
+  return glm::dvec3(transform_point(entity.transform, mesh.positions[mesh.triangles[index].x]));
+}
+
+// A point of the bounds, drawn towards some piece of the scene (outer scenery makes bounds much larger than
+// what there is to see) and towards the floor below it, and a direction that is not too steep.
+Camera random_camera(const Scene& scene, const Bounds& bounds, float fov, RawRandom& random,
+                     const ClosestHit& closest_hit) {
   const Rounding rounded(bounds.diagonal());
   glm::dvec3 position = random.point(bounds);
+  const double distance = random.unit();
+  if (const auto piece = random_vertex(scene, random))
+    position = glm::mix(*piece, position, distance * distance);
   const double height = random.unit();
   const double yaw = random.between(0, 2 * 3.14159265358979323846);
   const double sine = random.between(kSteepestDown, kSteepestUp);
@@ -91,7 +111,7 @@ Camera draw_camera(const Scene& scene, const Bounds& bounds, const ViewJudge& ju
   std::size_t best_monotony = 0;
   int found = 0;
   for (int i = 0; i < kTriesPerView && found < kCandidates; ++i) {
-    const Camera candidate = random_camera(bounds, options.fov, random, closest_hit);
+    const Camera candidate = random_camera(scene, bounds, options.fov, random, closest_hit);
     const Verdict verdict = judge.judge(candidate, options.aspect);
     if (verdict.reason) {
       Refusals& alike = refusals[without_numbers(*verdict.reason)];
