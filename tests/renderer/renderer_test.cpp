@@ -1,0 +1,177 @@
+#include "renderer/renderer.h"
+
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/renderer/render_scene.h"
+
+namespace lightbench {
+namespace {
+
+using test::add_quad;
+using test::directional_light;
+using test::floor_scene;
+using test::point_light;
+using test::render;
+using test::top_view;
+
+// Something with edges, a shadow and shading.
+Scene small_scene() {
+  Scene scene = floor_scene();
+  scene.materials.push_back(test::matte({0.9f, 0.2f, 0.1f}));
+  add_quad(scene, {-0.7f, 0.5f, 0.4f}, {1.1f, 0.2f, 0.3f}, {0.2f, 0.3f, -1}, 1);
+  scene.lights = {point_light({1, 3, 1}), directional_light({0.3f, -1, -0.2f})};
+  return scene;
+}
+
+FrameResult render_direct(Renderer& renderer, const Scene& scene, const FrameRequest& request) {
+  const Technique& direct = find_technique("direct", "test");
+  EXPECT_EQ(&request.scene, &scene);
+  return renderer.render(direct, resolve_params(direct.params, direct.presets, "", {}, "test"), request);
+}
+
+TEST(GlRenderer, EglEqualsOsmesa) {
+  const Scene scene = small_scene();
+  const Image osmesa = render(scene, top_view(3)).image;
+  test::RenderSetup setup;
+  setup.backend = GlBackend::egl;
+  std::optional<Image> egl;
+  try {
+    egl = render(scene, top_view(3), setup).image;
+  } catch (const Error& error) {
+    GTEST_SKIP() << "no EGL here: " << error.what();
+  }
+  ASSERT_EQ(egl->data.size(), osmesa.data.size());
+  // Another driver may round differently and place an edge on the other side of a pixel's centre.
+  int different = 0;
+  for (std::size_t i = 0; i < egl->data.size(); ++i)
+    different += std::abs(egl->data[i] - osmesa.data[i]) > 0.004f;
+  EXPECT_LE(different, 40);
+}
+
+TEST(GlRenderer, BothBackendsWorkInOneProcess) {
+  const Scene scene = small_scene();
+  const View view = top_view(3);
+  Renderer osmesa(GlBackend::osmesa), egl(GlBackend::egl);
+  const FrameRequest request{scene, view, 32, 24, 1, {}};
+  const Image before = render_direct(osmesa, scene, request).image;
+  try {
+    render_direct(egl, scene, request);
+  } catch (const Error& error) {
+    GTEST_SKIP() << "no EGL here: " << error.what();
+  }
+  EXPECT_EQ(render_direct(osmesa, scene, request).image, before);
+}
+
+TEST(GlRenderer, SamplesAverageALargerPicture) {
+  const Scene scene = small_scene();
+  test::RenderSetup large;
+  large.width = 128;
+  large.height = 96;
+  const Image fine = render(scene, top_view(3), large).image;
+  test::RenderSetup sampled;
+  sampled.samples = 2;
+  sampled.buffers = {"albedo"};
+  const FrameResult result = render(scene, top_view(3), sampled);
+  ASSERT_EQ(result.image.width, 64);
+  ASSERT_EQ(result.image.height, 48);
+  EXPECT_EQ(result.buffers.at("albedo").width, 64);
+  for (int c = 0; c < 4; ++c) {
+    const float mean =
+        (fine.pixel(40, 40)[c] + fine.pixel(41, 40)[c] + fine.pixel(40, 41)[c] + fine.pixel(41, 41)[c]) / 4;
+    EXPECT_NEAR(result.image.pixel(20, 20)[c], mean, 1e-6f);
+  }
+}
+
+TEST(GlRenderer, CoverageIsFractionalWithSamples) {
+  Scene scene;
+  scene.materials = {test::matte(glm::vec3(1))};
+  add_quad(scene, {-0.4f, 0, 0.31f}, {0.77f, 0, 0.1f}, {0, 0, -0.6f});
+  test::RenderSetup setup;
+  setup.samples = 4;
+  int fractional = 0;
+  const Image image = render(scene, top_view(3), setup).image;
+  for (std::size_t i = 3; i < image.data.size(); i += 4) fractional += image.data[i] > 0 && image.data[i] < 1;
+  EXPECT_GT(fractional, 10);
+}
+
+TEST(GlRenderer, AChangedSceneAtTheSameAddressIsSeen) {
+  Scene scene = small_scene();
+  const View view = top_view(3);
+  Renderer renderer(GlBackend::osmesa);
+  const FrameRequest request{scene, view, 32, 24, 1, {}};
+  const Image before = render_direct(renderer, scene, request).image;
+  scene.materials[0].diffuse = {0.1f, 0.9f, 0.1f};
+  const Image after = render_direct(renderer, scene, request).image;
+  EXPECT_NE(before, after);
+  Renderer fresh(GlBackend::osmesa);
+  EXPECT_EQ(render_direct(fresh, scene, request).image, after);
+}
+
+TEST(GlRenderer, PassesAreNamedAndTimed) {
+  const FrameResult result = render(small_scene(), top_view(3));
+  std::vector<std::string> names;
+  for (const PassTime& pass : result.passes) {
+    names.push_back(pass.name);
+    EXPECT_GT(pass.seconds, 0);
+  }
+  EXPECT_EQ(names, (std::vector<std::string>{"g-buffer", "shadow map", "direct"}));
+}
+
+TEST(GlRenderer, AnUnknownBufferIsAnsweredWithTheNearest) {
+  test::RenderSetup setup;
+  setup.buffers = {"albdo"};
+  try {
+    render(small_scene(), top_view(3), setup);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(error.message().find("albedo"), std::string::npos) << error.message();
+  }
+}
+
+TEST(GlRenderer, ImpossibleSizesAreErrors) {
+  for (const auto& [width, height, samples] :
+       {std::tuple{0, 10, 1}, {100000, 100000, 1}, {32000, 16, 1}, {20000, 4, 1}, {4096, 4096, 5}}) {
+    test::RenderSetup setup;
+    setup.width = width;
+    setup.height = height;
+    setup.samples = samples;
+    EXPECT_THROW(render(small_scene(), top_view(3), setup), Error) << width << " " << height;
+  }
+}
+
+TEST(GlRenderer, OddSizesWork) {
+  test::RenderSetup setup;
+  setup.width = 33;
+  setup.height = 1;
+  EXPECT_EQ(render(small_scene(), top_view(3), setup).image.data.size(), 33u * 4u);
+}
+
+TEST(GlAmbient, AddsAShareOfTheMeanDirectLight) {
+  Scene scene = floor_scene();
+  scene.lights = {directional_light({0, -1, 0})};
+  test::RenderSetup setup;
+  setup.technique = "ambient";
+  setup.params = {{"k", 0.4}};
+  // Irradiance 1 everywhere: albedo 0.5 * (1 + 0.4).
+  EXPECT_NEAR(render(scene, top_view(3), setup).image.pixel(9, 9)[0], 0.7f, 1e-4f);
+}
+
+TEST(GlAmbient, BackgroundPixelsDoNotCount) {
+  Scene scene;
+  scene.materials = {test::matte(glm::vec3(0.5f))};
+  add_quad(scene, {-0.2f, 0, 0.2f}, {0.4f, 0, 0}, {0, 0, -0.4f});
+  scene.lights = {directional_light({0, -1, 0})};
+  scene.background.color = glm::vec3(0.25f);
+  test::RenderSetup setup;
+  setup.technique = "ambient";
+  const Image image = render(scene, top_view(3), setup).image;
+  EXPECT_NEAR(image.pixel(32, 24)[0], 0.75f, 1e-4f);
+  EXPECT_EQ(image.pixel(0, 0)[0], 0.25f);
+  EXPECT_EQ(image.pixel(0, 0)[3], 0.0f);
+}
+
+}  // namespace
+}  // namespace lightbench
