@@ -36,10 +36,6 @@ Fade fade_of(const Attenuation& attenuation) {
   return {};
 }
 
-void write_aim(PovWriter& out, const Light& light) {
-  out.words(" point_at").vector(glm::dvec3(light.position) + glm::dvec3(light.direction));
-}
-
 /// The best amplitude for a distance and a power (linear least squares), and the mean square error with it.
 std::pair<double, double> best_amplitude(double distance, double power) {
   constexpr int kSamples = 128;
@@ -78,25 +74,26 @@ FadeFit fit_radius_attenuation(double radius) {
   return best;
 }
 
-PovWriter pov_light(const Light& light, const Bounds& bounds, bool shadowless) {
+PovWriter pov_light(const Light& light, const PovSpace& space, bool shadowless) {
   if (light.kind == LightKind::area) throw Error("area lights cannot be exported to POV-Ray yet", light.name);
   PovWriter out;
   const bool directional = light.kind == LightKind::directional;
   const Fade fade = directional ? Fade{} : fade_of(light.attenuation);
   const glm::dvec3 color = glm::dvec3(light.color) * double(light.power) * fade.amplitude;
-  const glm::dvec3 center(bounds.center());
   // A parallel light shines from its place on: outside of the scene, yet near enough for exact coordinates.
-  const glm::dvec3 far_away = center - glm::dvec3(light.direction) * double(bounds.diagonal() + 1.0f);
-  out.words("light_source{").vector(directional ? far_away : glm::dvec3(light.position));
+  const glm::dvec3 center(space.bounds.center());
+  const glm::dvec3 far_away = center - glm::dvec3(light.direction) * (2.0 * space.bounds.diagonal());
+  out.words("light_source{").vector(space.scale * (directional ? far_away : glm::dvec3(light.position)));
   out.words(" rgb").vector(color);
-  if (directional) out.words(" parallel point_at").vector(center);
+  if (directional) out.words(" parallel point_at").vector(space.scale * center);
   if (light.kind == LightKind::spot) {
     out.words(" spotlight radius ").number(glm::degrees(double(light.inner_angle)));
     out.words(" falloff ").number(glm::degrees(double(light.outer_angle))).words(" tightness 0");
-    write_aim(out, light);
+    const glm::dvec3 aim = glm::dvec3(light.position) + glm::dvec3(light.direction);
+    out.words(" point_at").vector(space.scale * aim);
   }
   if (fade.distance > 0)
-    out.words(" fade_distance ").number(fade.distance).words(" fade_power ").number(fade.power);
+    out.words(" fade_distance ").number(space.scale * fade.distance).words(" fade_power ").number(fade.power);
   if (shadowless) out.words(" shadowless");
   out.words("}\n");
   return out;

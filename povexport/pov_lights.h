@@ -8,9 +8,15 @@
 
 namespace lightbench {
 
-/// A light as POV-Ray's light_source. `bounds` are the scene's: a directional light stands outside of them.
-/// Throws Error for area lights.
-PovWriter pov_light(const Light& light, const Bounds& bounds, bool shadowless);
+/// Where a light stands: the scene's bounds (a directional light stands outside of them) and POV-Ray's units
+/// for one unit of the scene.
+struct PovSpace {
+  Bounds bounds;
+  double scale = 1;
+};
+
+/// A light as POV-Ray's light_source. Throws Error for area lights.
+PovWriter pov_light(const Light& light, const PovSpace& space, bool shadowless);
 
 /// What of a light has no exact counterpart, as a sentence for the report, or nothing.
 std::vector<std::string> pov_light_warnings(const Light& light);

@@ -13,19 +13,29 @@ namespace {
 
 constexpr const char* kSceneInclude = "scene.inc";
 
+/// POV-Ray takes nothing for a hit that is nearer to a ray's origin than a fixed length, 0.001: light leaks
+/// where things touch in a small scene, and in a large one rays hit the surface that they leave. So every
+/// scene is brought to the size at which that length is a millionth of it. A power of two leaves all
+/// coordinates exact.
+PovSpace pov_space(const Scene& scene) {
+  const Bounds bounds = world_bounds(scene);
+  const double diagonal = bounds.diagonal();
+  if (!(diagonal > 0) || !std::isfinite(diagonal)) return {bounds, 1};
+  return {bounds, std::exp2(std::floor(std::log2(1024 / diagonal)))};
+}
+
 /// The rows of POV-Ray's matrix are where the axes and the origin go: the columns of ours.
-void write_transform(PovWriter& out, const glm::mat4& m) {
-  if (m == glm::mat4(1)) return;
+void write_transform(PovWriter& out, const glm::mat4& m, double scale) {
   out.words(" matrix<");
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 3; ++row) {
       if (column + row > 0) out.words(",");
-      out.number(m[column][row]);
+      out.number(float(scale * m[column][row]));
     }
   out.words(">");
 }
 
-PovWriter scene_include(const Scene& scene, const PovWriter& declarations,
+PovWriter scene_include(const Scene& scene, const PovSpace& space, const PovWriter& declarations,
                         const std::vector<bool>& has_mesh) {
   PovWriter out;
   out.words("#declare Clear=texture{pigment{rgbt 1}finish{ambient 0 diffuse 0}}\n");
@@ -40,7 +50,7 @@ PovWriter scene_include(const Scene& scene, const PovWriter& declarations,
   for (const Entity& entity : scene.entities) {
     if (!has_mesh[std::size_t(entity.mesh)]) continue;
     out.name("object{M", entity.mesh + 1);
-    write_transform(out, entity.transform);
+    write_transform(out, entity.transform, space.scale);
     out.words("}\n");
   }
   return out;
@@ -60,10 +70,10 @@ void write_global_settings(PovWriter& out, const PovOptions& options) {
   out.words("}\n");
 }
 
-void write_camera(PovWriter& out, const Camera& camera, double aspect) {
+void write_camera(PovWriter& out, const Camera& camera, double aspect, double scale) {
   const CameraFrame frame = camera_frame(camera);
   const double height = 2 * std::tan(double(camera.fov) / 2);
-  out.words("camera{\nlocation").vector(camera.position);
+  out.words("camera{\nlocation").vector(scale * glm::dvec3(camera.position));
   out.words("\ndirection").vector(frame.forward);
   out.words("\nright").vector(frame.right).words("*").number(height * aspect);
   out.words("\nup").vector(frame.up).words("*").number(height).words("\n}\n");
@@ -82,7 +92,8 @@ PovAssets pov_assets(const Scene& scene) {
     has_mesh[i] = !mesh.text().empty();
     if (has_mesh[i]) assets.includes[pov_file_name("mesh", int(i) + 1, "inc")] = mesh.text();
   }
-  assets.includes[kSceneInclude] = scene_include(scene, materials.declarations(), has_mesh).text();
+  assets.includes[kSceneInclude] =
+      scene_include(scene, pov_space(scene), materials.declarations(), has_mesh).text();
   assets.images = materials.take_images();
   for (const Light& light : scene.lights)
     for (const std::string& warning : pov_light_warnings(light)) assets.warnings.push_back(warning);
@@ -104,9 +115,9 @@ std::string pov_view(const Scene& scene, const PovAssets&, const Camera& camera,
       .words(",")
       .number(sky.z)
       .words(",1>}\n");
-  write_camera(out, camera, aspect);
-  const Bounds bounds = world_bounds(scene);
-  for (const Light& light : scene.lights) out.append(pov_light(light, bounds, options.shadowless));
+  const PovSpace space = pov_space(scene);
+  write_camera(out, camera, aspect, space.scale);
+  for (const Light& light : scene.lights) out.append(pov_light(light, space, options.shadowless));
   out.words("#include ").file(kSceneInclude).words("\n");
   return out.text();
 }
