@@ -21,7 +21,7 @@ constexpr int kRows = 12;
 // The rules. Shares are of rays, distances are relative to what is around the camera or to the scene's
 // diagonal.
 constexpr double kMostBackFacesAround = 0.6;  // more: inside of something, or behind the scenery
-constexpr double kMostBackFacesInView = 0.4;
+constexpr double kMostBackFacesInView = 0.5;
 constexpr double kFewestHitsAround = 0.1;  // fewer say nothing about the inside
 constexpr double kMostBackground = 0.6;
 constexpr double kMostOfOnePlane = 0.85;  // more: a wall fills the picture
@@ -29,7 +29,7 @@ constexpr double kMostOfOnePlane = 0.85;  // more: a wall fills the picture
 constexpr double kClearance = 0.015;         // nearest / upper quartile of the distances around
 constexpr double kSmallestClearance = 2e-4;  // nearest distance / diagonal
 constexpr double kNearestViewMedian = 0.1;   // median distance in the view / upper quartile around
-constexpr double kFarthestNearTenth = 0.35;  // distance that a tenth of the view keeps below / diagonal
+constexpr double kFarthestNearTenth = 1.5;   // distance that a tenth of the view keeps below / diagonal
 
 constexpr double kPi = 3.14159265358979323846;
 
