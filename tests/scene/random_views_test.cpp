@@ -201,9 +201,9 @@ TEST(ViewValidity, AViewOfSomethingFarAwayOnlyIsNotValid) {
   TestWorld world;
   world.add({0, 0, 0}, {1, 1, 1}, Facing::outward).add({100, 0, 0}, {101, 1, 1}, Facing::outward);
   View view{"v", {}};
-  view.camera.position = {-200, 30, 0.5f};
+  view.camera.position = {-150, 120, -150};
   view.camera.look_at = {0.5f, 0.5f, 0.5f};
-  view.camera.fov = 0.003f;
+  view.camera.fov = 0.004f;
   EXPECT_EQ(why_view_is_invalid(world.scene(), view, kAspect, world.rays()),
             "nothing is near enough in sight");
 }
