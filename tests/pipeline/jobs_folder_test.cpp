@@ -37,12 +37,14 @@ fs::path camera_file(const std::string& name) {
   return kJobs / "cameras" / (name + ".json");
 }
 
-// The variable that the scene's models are found through and that is not set, or nothing.
+// The variable that the scene's models are found through and that names no folder, or nothing.
 std::string missing_variable(const std::string& name) {
   const std::string text = read_file(scene_file(name));
-  for (const char* variable : {"LIGHTBENCH_SCENES", "LIGHTBENCH_FURNITURE"})
-    if (text.find(std::string("${") + variable + "}") != std::string::npos && !std::getenv(variable))
-      return variable;
+  for (const char* variable : {"LIGHTBENCH_SCENES", "LIGHTBENCH_FURNITURE"}) {
+    if (text.find(std::string("${") + variable + "}") == std::string::npos) continue;
+    const char* folder = std::getenv(variable);
+    if (!folder || !fs::is_directory(folder)) return variable;
+  }
   return "";
 }
 
@@ -62,8 +64,8 @@ class JobsScene : public testing::TestWithParam<std::string> {};
 
 TEST_P(JobsScene, LoadsWithoutErrors) {
   const std::string variable = missing_variable(GetParam());
-  ASSERT_FALSE(must_be_there(variable)) << variable << " is not set, and LIGHTBENCH_REQUIRE_SCENES is 1";
-  if (!variable.empty()) GTEST_SKIP() << GetParam() << " needs " << variable;
+  ASSERT_FALSE(must_be_there(variable)) << variable << " names no folder, and LIGHTBENCH_REQUIRE_SCENES is 1";
+  if (!variable.empty()) GTEST_SKIP() << GetParam() << " needs the folder that " << variable << " names";
   const LoadedScene loaded = load_scene_collecting(scene_file(GetParam()));
   for (const Problem& problem : loaded.problems)
     EXPECT_NE(problem.severity, Problem::Severity::error) << problem.where << ": " << problem.what;
