@@ -1,11 +1,13 @@
 #include "pipeline/cli.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/references.h"
 #include "pipeline/version.h"
@@ -46,6 +48,17 @@ void add_commands(CLI::App& app, Action& action) {
     add(app, action);
 }
 
+/// CLI11 would only say that a command is missing.
+void check_command(const CLI::App& app, int argc, const char* const* argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  const std::string name = argv[1];
+  if (std::find(names.begin(), names.end(), name) == names.end())
+    throw Error("there is no command '" + name + "'" + did_you_mean(name, names) + "; see lightbench --help");
+}
+
 ExitCode run_command(int argc, const char* const* argv) {
   CLI::App app("Measures how close real-time lighting techniques come to a path-traced truth.", "lightbench");
   app.footer(kFooter);
@@ -53,6 +66,7 @@ ExitCode run_command(int argc, const char* const* argv) {
   app.set_version_flag("--version", version_text, "Versions of lightbench and of the tools that it runs");
   Action action;
   add_commands(app, action);
+  check_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

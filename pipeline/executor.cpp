@@ -54,7 +54,9 @@ class Execution {
     return result;
   }
 
-  TaskOutcome outcome(std::size_t i) const { return {schedule_.state(i), schedule_.reason(i), entries_[i]}; }
+  TaskOutcome outcome(std::size_t i) const {
+    return {schedule_.state(i), schedule_.reason(i), schedule_.seconds(i), entries_[i]};
+  }
 
   /// What is there already, what is not wanted, and what cannot be done.
   void sort_out() {
@@ -76,6 +78,8 @@ class Execution {
       if (batch.empty()) return;
       const int number = next_worker_++;
       workers_[number].tasks = batch;
+      for (const auto& [other, worker] : workers_)
+        if (worker.current) contended_[*worker.current] = true;
       std::vector<const Task*> tasks;
       for (const std::size_t i : batch) tasks.push_back(&plan_.tasks[i]);
       runner_.start(
@@ -118,11 +122,7 @@ class Execution {
   void begin(Worker& worker, std::size_t task) {
     worker.current = task;
     worker.began = true;
-    std::size_t busy = 0;
-    for (const auto& [number, other] : workers_) busy += other.current.has_value();
-    if (busy > 1)
-      for (const auto& [number, other] : workers_)
-        if (other.current) contended_[*other.current] = true;
+    contended_[task] = workers_.size() > 1;
     watcher_.started(plan_.tasks[task]);
   }
 

@@ -41,7 +41,8 @@ class Runner {
 /// How a task ended; every task of a plan has exactly one.
 struct TaskOutcome {
   TaskState state = TaskState::waiting;
-  std::string reason;                ///< of failed and skipped
+  std::string reason;  ///< of failed and skipped
+  double expected_seconds = 0;
   std::optional<LedgerEntry> entry;  ///< of done and cached
 };
 

@@ -1,5 +1,6 @@
 #include "pipeline/ledger.h"
 
+#include <cassert>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
@@ -58,32 +59,20 @@ std::string utc_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::chrono::system_clock::now()));
 }
 
-Ledger::Ledger(const std::filesystem::path& file) : file_(file) {
+Ledger::Ledger(const std::filesystem::path& file, LedgerUse use) : file_(file) {
   std::error_code error;
+  if (use == LedgerUse::read) {
+    if (std::filesystem::exists(file, error)) read();
+    return;
+  }
   std::filesystem::create_directories(file.parent_path(), error);
   if (error) throw Error("cannot make the folder: " + error.message(), file.parent_path().string());
   descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (descriptor_ < 0) fail(file, "cannot be written");
-  if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    close(descriptor_);
-    throw Error("another run is working in this folder", file.parent_path().string());
-  }
   try {
-    const std::string text = read_file(file);
-    std::size_t start = 0;
-    for (std::size_t number = 1;; ++number) {
-      const std::size_t end = text.find('\n', start);
-      if (end == std::string::npos) break;
-      const std::string where = fmt::format("{}:{}", file.string(), number);
-      try {
-        LedgerEntry entry = entry_of(Json::parse(text.substr(start, end - start)), where);
-        last_[entry.id] = std::move(entry);
-      } catch (const nlohmann::json::exception&) {
-        throw Error("is not a line of a ledger; remove the file to begin anew", where);
-      }
-      start = end + 1;
-    }
-    if (start < text.size() && ftruncate(descriptor_, off_t(start)) != 0) fail(file, "cannot be written");
+    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
+      throw Error("another run is working in this folder", file.parent_path().string());
+    if (ftruncate(descriptor_, off_t(read())) != 0) fail(file, "cannot be written");
   } catch (...) {
     close(descriptor_);
     throw;
@@ -91,10 +80,29 @@ Ledger::Ledger(const std::filesystem::path& file) : file_(file) {
 }
 
 Ledger::~Ledger() {
-  close(descriptor_);
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+/// Takes in all whole lines; returns the bytes that they have.
+std::size_t Ledger::read() {
+  const std::string text = read_file(file_);
+  std::size_t start = 0;
+  for (std::size_t number = 1;; ++number) {
+    const std::size_t end = text.find('\n', start);
+    if (end == std::string::npos) return start;
+    const std::string where = fmt::format("{}:{}", file_.string(), number);
+    try {
+      LedgerEntry entry = entry_of(Json::parse(text.substr(start, end - start)), where);
+      last_[entry.id] = std::move(entry);
+    } catch (const nlohmann::json::exception&) {
+      throw Error("is not a line of a ledger; remove the file to begin anew", where);
+    }
+    start = end + 1;
+  }
 }
 
 void Ledger::append(const LedgerEntry& entry) {
+  assert(descriptor_ >= 0);
   const std::string line = line_of(entry);
   std::size_t written = 0;
   while (written < line.size()) {

@@ -22,13 +22,17 @@ struct LedgerEntry {
   TaskResult result;       ///< of a task that was done
 };
 
-/// A file of lines that are only ever appended, each synced to the disk. While it is open no second run can
-/// open it.
+enum class LedgerUse {
+  append,  ///< by a run: makes the file, and no second run can open it meanwhile
+  read,    ///< only to look: a file that is not there is empty
+};
+
+/// A file of lines that are only ever appended, each synced to the disk.
 class Ledger {
  public:
-  /// Opens or makes the file and reads what is there. A last line that a killed run left unfinished is
-  /// dropped. Throws Error where another run has it open, it cannot be written, or a line is not one of ours.
-  explicit Ledger(const std::filesystem::path& file);
+  /// Reads what is there. A last line that a killed run left unfinished is dropped. Throws Error where
+  /// another run appends to it, it cannot be written, or a line is not one of ours.
+  Ledger(const std::filesystem::path& file, LedgerUse use);
   Ledger(const Ledger&) = delete;
   Ledger& operator=(const Ledger&) = delete;
   ~Ledger();
@@ -38,6 +42,8 @@ class Ledger {
   const std::map<std::string, LedgerEntry>& last() const { return last_; }
 
  private:
+  std::size_t read();
+
   std::filesystem::path file_;
   int descriptor_ = -1;
   std::map<std::string, LedgerEntry> last_;

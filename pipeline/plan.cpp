@@ -22,7 +22,7 @@ constexpr int kScoreVersion = 1;
 
 /// Guesses for an image of a megapixel; what was measured in earlier runs replaces them.
 constexpr double kSnapshotSeconds = 0.6;
-constexpr double kRadiositySeconds = 25;
+constexpr double kRadiositySeconds = 15;
 constexpr double kScoreSeconds = 0.25;
 constexpr double kTaskTimeout = 1800;
 
@@ -178,8 +178,9 @@ class Planner {
     task.outputs = {stem + ".exr", stem + ".png"};
     task.deps = {shared, export_task};
     const int bounces = find_reference_kind(reference.kind, "").bounces(reference_params(reference));
-    task.expected_seconds = 1 + megapixels() * (bounces > 0 ? kRadiositySeconds : kRadiositySeconds / 10) +
-                            double(facts.triangles) * 1e-5;
+    task.expected_seconds =
+        1 + (0.3 + megapixels()) * (bounces > 0 ? kRadiositySeconds : kRadiositySeconds / 10) +
+        double(facts.triangles) * 1e-5;
     task.timeout_seconds = double(reference.timeout.count()) / 1000 + 60;
     task.resources.memory_mb = int(100 + 100 * megapixels() + double(facts.triangles) / 1000);
     const auto missing = facts_.missing_tools.find(reference.kind);

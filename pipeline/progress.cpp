@@ -35,7 +35,7 @@ void Progress::begin(const Schedule& schedule) {
   cached_ = schedule.count(TaskState::cached);
   const std::size_t waiting = schedule.count(TaskState::waiting);
   line(fmt::format("{} tasks to do, {} there already; expected {} on {} workers", waiting, cached_,
-                   duration_text(schedule.remaining_seconds() / places_), places_));
+                   duration_text(remaining_seconds()), places_));
 }
 
 void Progress::started(const Task& task) {
@@ -46,8 +46,9 @@ void Progress::started(const Task& task) {
 void Progress::ended(const Task& task, const TaskOutcome& outcome) {
   const bool failed = outcome.state == TaskState::failed;
   if (outcome.entry) {
-    expected_ += task.expected_seconds;
-    measured_ += outcome.entry->result.seconds;
+    Pace& pace = paces_[task.kind];
+    pace.expected += outcome.expected_seconds;
+    pace.measured += outcome.entry->result.seconds;
   }
   if (failed) line(fmt::format("{} FAILED: {}", task.id, outcome.reason));
   if (!failed && style_ == Style::lines && schedule_)
@@ -73,16 +74,27 @@ void Progress::finish() {
   schedule_ = nullptr;
 }
 
+/// By what the tasks of each kind took so far, compared with what was expected of them.
+double Progress::remaining_seconds() const {
+  double total = 0;
+  for (const TaskKind kind : {TaskKind::snapshot, TaskKind::export_, TaskKind::reference, TaskKind::score}) {
+    const auto found = paces_.find(kind);
+    const bool known = found != paces_.end() && found->second.expected > 0;
+    const double pace = known ? std::clamp(found->second.measured / found->second.expected, 0.1, 10.0) : 1.0;
+    total += pace * schedule_->remaining_seconds(kind);
+  }
+  return total / places_;
+}
+
 /// " [7/12, 1 failed, 8 s, about 20 s to go]"
 std::string Progress::status() const {
   const std::size_t done = schedule_->count(TaskState::done);
   const std::size_t failed = schedule_->count(TaskState::failed);
   const std::size_t open = schedule_->count(TaskState::waiting) + schedule_->count(TaskState::running);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  const double pace = expected_ > 0 ? std::clamp(measured_ / expected_, 0.1, 10.0) : 1.0;
   const std::string failures = failed ? fmt::format(", {} failed", failed) : "";
   return fmt::format(" [{}/{}{}, {}, about {} to go]", done + failed, done + failed + open, failures,
-                     duration_text(seconds), duration_text(schedule_->remaining_seconds() * pace / places_));
+                     duration_text(seconds), duration_text(remaining_seconds()));
 }
 
 void Progress::line(const std::string& text) {

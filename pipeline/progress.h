@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <string>
 
 #include "pipeline/executor.h"
@@ -24,7 +25,13 @@ class Progress : public Watcher {
   void finish() override;
 
  private:
+  struct Pace {
+    double expected = 0;
+    double measured = 0;
+  };
+
   std::string status() const;
+  double remaining_seconds() const;
   void line(const std::string& text);
 
   std::FILE* stream_;
@@ -33,8 +40,7 @@ class Progress : public Watcher {
   const Schedule* schedule_ = nullptr;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::size_t cached_ = 0;
-  double expected_ = 0;  ///< of the tasks that this run ended
-  double measured_ = 0;
+  std::map<TaskKind, Pace> paces_;  ///< of the tasks that this run ended
   std::string latest_;
 };
 

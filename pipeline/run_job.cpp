@@ -66,7 +66,7 @@ ExitCode run_job(const Job& job, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::string started = utc_now();
   const auto out = run_folder(job, options.out);
-  Ledger ledger(out / "ledger.jsonl");
+  Ledger ledger(out / "ledger.jsonl", LedgerUse::append);
   PreparedRun run = prepare_run(job, out, options.gl);
   ExecuteOptions execute_options;
   execute_options.places =

@@ -113,10 +113,11 @@ std::size_t Schedule::count(TaskState state) const {
   return std::size_t(std::count(states_.begin(), states_.end(), state));
 }
 
-double Schedule::remaining_seconds() const {
+double Schedule::remaining_seconds(TaskKind kind) const {
   double total = 0;
   for (std::size_t i = 0; i < tasks_.size(); ++i)
-    if (states_[i] == TaskState::waiting || states_[i] == TaskState::running) total += seconds_[i];
+    if (tasks_[i].kind == kind && (states_[i] == TaskState::waiting || states_[i] == TaskState::running))
+      total += seconds_[i];
   return total;
 }
 

@@ -41,7 +41,7 @@ class Schedule {
   const std::string& reason(std::size_t task) const { return reasons_[task]; }
   std::size_t count(TaskState state) const;
   /// Of the tasks that are waiting or running.
-  double remaining_seconds() const;
+  double remaining_seconds(TaskKind kind) const;
   double seconds(std::size_t task) const { return seconds_[task]; }
 
  private:

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "base/color.h"
 #include "base/error.h"
+#include "base/files.h"
 #include "base/text.h"
 
 namespace lightbench {
@@ -50,6 +52,12 @@ void write_buffer_pair(const std::filesystem::path& exr, const std::filesystem::
                        const Image& buffer) {
   write_exr(exr, buffer, PixelType::float32);
   write_png(png, rounded(for_the_eye(buffer)));
+}
+
+void require_writable(const std::filesystem::path& file) {
+  const AtomicFile place(file);
+  std::ofstream stream(place.path());
+  if (!stream.put(' ').flush()) throw Error("cannot be written", file.string());
 }
 
 GlBackend parse_gl(const std::string& text, const std::string& where) {

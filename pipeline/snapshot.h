@@ -18,6 +18,9 @@ void write_image_pair(const std::filesystem::path& exr, const std::filesystem::p
 void write_buffer_pair(const std::filesystem::path& exr, const std::filesystem::path& png,
                        const Image& buffer);
 
+/// Throws Error where a file could not be written; leaves none.
+void require_writable(const std::filesystem::path& file);
+
 GlBackend parse_gl(const std::string& text, const std::string& where);
 
 }  // namespace lightbench

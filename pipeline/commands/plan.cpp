@@ -55,7 +55,6 @@ ExitCode run_plan(const PlanParams& params) {
   const Job job = read_job(params.job);
   const auto out = run_folder(job, params.flags.out);
   // Only a run may write to its folder; here views that a run would draw and keep are drawn aside.
-  const bool run_exists = std::filesystem::exists(out / "ledger.jsonl");
   const TemporaryFolder aside;
   PreparedRun run = prepare_run(job, aside.path(), params.flags.gl);
   run.plan.out = out;
@@ -63,7 +62,7 @@ ExitCode run_plan(const PlanParams& params) {
   if (params.json) {
     std::printf("%s", plan_to_json(run.plan).c_str());
   } else if (params.explain) {
-    Ledger ledger(run_exists ? out / "ledger.jsonl" : aside.path() / "ledger.jsonl");
+    Ledger ledger(out / "ledger.jsonl", LedgerUse::read);
     FolderCache cache(ledger, out);
     print_explanation(run.plan, cache, selected);
   } else {

@@ -11,6 +11,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/view_options.h"
 #include "pipeline/references.h"
+#include "pipeline/snapshot.h"
 #include "pipeline/tables.h"
 #include "scene/scene_file.h"
 
@@ -30,6 +31,7 @@ ExitCode run_reference(const ReferenceParams& params) {
   const std::filesystem::path output = params.output;
   if (output.extension() != ".png" && output.extension() != ".exr")
     throw Error("must end in .png or .exr", "-o " + output.string());
+  require_writable(output);  // rather than after minutes of rendering
   const ReferenceKind& kind = find_reference_kind(params.kind, "--kind");
   const std::string version = kind.tool_version();
   const ImageSize size = parse_size(params.view.size);
