@@ -138,7 +138,14 @@ std::vector<ParamSpec> shadow_params() {
        16,
        16384,
        {},
-       "texels along an edge of an exponential shadow map"},
+       "texels along an edge of a point or spot light's exponential shadow map"},
+      {"directional_esm_size",
+       ParamType::integer,
+       texels(defaults.directional_esm_size),
+       16,
+       16384,
+       {},
+       "texels along an edge of a directional light's exponential shadow map"},
       {"esm_sharpness",
        ParamType::number,
        double{defaults.esm_sharpness},
@@ -166,6 +173,7 @@ ShadowOptions shadow_options(const ParamValues& params) {
   options.bias = float(params.number("shadow_bias"));
   options.pcf_radius = params.integer("pcf_radius");
   options.esm_size = params.integer("esm_size");
+  options.directional_esm_size = params.integer("directional_esm_size");
   options.esm_sharpness = float(params.number("esm_sharpness"));
   options.esm_blur_radius = params.integer("esm_blur_radius");
   return options;

@@ -22,10 +22,11 @@ struct ShadowOptions {
   ShadowMode mode = ShadowMode::hard;
   int point_size = 2048;        ///< texels along a cube map's edge; spots too
   int directional_size = 4096;  ///< texels along each slice of a directional light's map
-  int slices = 4;            ///< of the camera's depths, each with a directional map of its own (hard, pcf)
-  float bias = 0.5f;         ///< texels by which an occluder must be nearer than the receiver's plane
-  int pcf_radius = 1;        ///< texels to each side: (2r+1)^2 comparisons
-  int esm_size = 1024;       ///< texels along an exponential map's edge
+  int slices = 4;      ///< of the camera's depths, each with a directional map of its own (hard, pcf)
+  float bias = 0.5f;   ///< texels by which an occluder must be nearer than the receiver's plane
+  int pcf_radius = 1;  ///< texels to each side: (2r+1)^2 comparisons
+  int esm_size = 512;  ///< texels along an exponential map's edge
+  int directional_esm_size = 1024;
   float esm_sharpness = 90;  ///< the constant c of eq. 30
   int esm_blur_radius = 2;   ///< texels
 };

@@ -14,7 +14,12 @@ namespace {
 // Pixels along the edge of the blocks that are measured by one invocation.
 constexpr int kMeasuredBlock = 32;
 
-using Extents = std::array<ViewExtent, kMaxShadowViews>;
+// What the camera sees by a light's views.
+struct Seen {
+  std::array<ViewExtent, kMaxShadowViews> views;
+  float nearest = 1e30f;  // along an orthographic view, else the distance from the light
+  float farthest = -1e30f;
+};
 
 int blocks_along(int pixels) {
   return (pixels + kMeasuredBlock - 1) / kMeasuredBlock;
@@ -39,27 +44,41 @@ void slice_seen_depths(FrameContext& frame, const GBuffer& gbuffer, int count, L
   if (range.x <= range.y) slice_depths(block, range.x, range.y, count);
 }
 
-// What the camera sees of each view: measured in blocks on the GPU, gathered here.
-Extents seen_extents(FrameContext& frame, const GBuffer& gbuffer, ShadowProjection projection, int views) {
+// Measured in blocks on the GPU, gathered here.
+Seen measure_seen(FrameContext& frame, const GBuffer& gbuffer, ShadowProjection projection, int views) {
   const int width = blocks_along(gbuffer.width);
   const int height = blocks_along(gbuffer.height);
   std::array<GlTexture, 6> blocks;
   for (GlTexture& texture : blocks) texture = GlTexture(TexelFormat::rgba32f, width, height);
-  const Framebuffer target({&blocks[0], &blocks[1], &blocks[2], &blocks[3], &blocks[4], &blocks[5]});
+  const GlTexture depths(TexelFormat::rg32f, width, height);
+  const Framebuffer target({&blocks[0], &blocks[1], &blocks[2], &blocks[3], &blocks[4], &blocks[5], &depths});
   const Program& program =
       frame.fullscreen_program("shaders/shadow_bounds.frag.glsl", projection_defines(projection));
   program.set("block_size", kMeasuredBlock);
   frame.draw_fullscreen(target, program);
-  Extents extents;
+  Seen seen;
   for (int view = 0; view < views; ++view) {
     const Image values = read_back(blocks[std::size_t(view)], 4);
-    ViewExtent& extent = extents[std::size_t(view)];
+    ViewExtent& extent = seen.views[std::size_t(view)];
     for (std::size_t i = 0; i < values.data.size(); i += 4) {
       extent.min = glm::min(extent.min, glm::vec2(values.data[i], values.data[i + 1]));
       extent.max = glm::max(extent.max, glm::vec2(values.data[i + 2], values.data[i + 3]));
     }
   }
-  return extents;
+  const Image ranges = read_back(depths, 2);
+  for (std::size_t i = 0; i < ranges.data.size(); i += 2) {
+    seen.nearest = std::min(seen.nearest, ranges.data[i]);
+    seen.farthest = std::max(seen.farthest, ranges.data[i + 1]);
+  }
+  return seen;
+}
+
+// The range over which exponential maps count depths from 0 to 1: the size of the lit space that is seen.
+float exponential_range(const Seen& seen, ShadowProjection projection) {
+  if (seen.nearest > seen.farthest) return 1;
+  if (projection != ShadowProjection::orthographic) return seen.farthest;
+  const glm::vec2 across = seen.views[0].max - seen.views[0].min;
+  return std::max(glm::length(glm::vec3(across, seen.farthest - seen.nearest)), 1e-6f);
 }
 
 // Outside its cone a spot lights nothing.
@@ -70,8 +89,9 @@ void clip_to_cone(ViewExtent& extent, const Light& light) {
 }
 
 int map_size(const ShadowOptions& options, ShadowProjection projection) {
-  if (options.mode == ShadowMode::esm) return options.esm_size;
-  return projection == ShadowProjection::orthographic ? options.directional_size : options.point_size;
+  const bool flat = projection == ShadowProjection::orthographic;
+  if (options.mode == ShadowMode::esm) return flat ? options.directional_esm_size : options.esm_size;
+  return flat ? options.directional_size : options.point_size;
 }
 
 int map_margin(const ShadowOptions& options) {
@@ -141,10 +161,11 @@ const GlTexture& draw_shadow_map(FrameContext& frame, const GBuffer& gbuffer, co
   if (projection == ShadowProjection::orthographic) slice_seen_depths(frame, gbuffer, views, block);
   const Buffer unfitted(&block, sizeof block);
   unfitted.bind_uniform(1);
-  Extents extents = seen_extents(frame, gbuffer, projection, views);
-  if (projection == ShadowProjection::perspective) clip_to_cone(extents[0], light);
+  Seen seen = measure_seen(frame, gbuffer, projection, views);
+  if (projection == ShadowProjection::perspective) clip_to_cone(seen.views[0], light);
   for (int view = 0; view < views; ++view)
-    fit_view(block.views[std::size_t(view)], extents[std::size_t(view)], size, map_margin(options));
+    fit_view(block.views[std::size_t(view)], seen.views[std::size_t(view)], size, map_margin(options));
+  block.shadow_extent.z = exponential_range(seen, projection);
   const Buffer fitted(&block, sizeof block);
   fitted.bind_uniform(1);
   require(textures.depths, TexelFormat::depth32f, size, views);
@@ -153,7 +174,7 @@ const GlTexture& draw_shadow_map(FrameContext& frame, const GBuffer& gbuffer, co
     for (GlTexture& work : textures.work) require(work, TexelFormat::r32f, size, 0);
   }
   for (int view = 0; view < views; ++view) {
-    if (extents[std::size_t(view)].empty()) continue;
+    if (seen.views[std::size_t(view)].empty()) continue;
     draw_depths(frame, block, view, projection, Framebuffer::layer(textures.depths, view));
     if (exponential) blur_in_log_space(frame, options, projection, view, textures);
   }

@@ -54,17 +54,11 @@ void place_orthographic(LightBlock& block, const Light& light, const Bounds& cas
   const float spare = std::max(0.01f * (last - first), 1e-6f);
   const glm::vec3 origin = casters.center() + light.direction * (first - spare);
   block.shadow_origin = glm::vec4(origin, last - first + 2 * spare);
-  block.shadow_extent.z = block.shadow_origin.w;
   block.views.fill(view_of(axes_along(light.direction)));
 }
 
 void place_perspective(LightBlock& block, const Light& light, const Bounds& casters) {
-  float farthest = 0;
-  for_each_corner(casters, [&](const glm::vec3& corner) {
-    farthest = std::max(farthest, glm::length(corner - light.position));
-  });
   block.shadow_origin = glm::vec4(light.position, std::max(kNearestCaster * casters.diagonal(), 1e-9f));
-  block.shadow_extent.z = std::max(farthest, 1e-6f);
   if (shadow_projection(light) == ShadowProjection::perspective)
     block.views[0] = view_of(axes_along(light.direction));
   else

@@ -12,7 +12,7 @@ layout(std140, binding = 1) uniform Light {
   vec4 light_attenuation;  // kind (Attenuation::Kind), distance, power, radius
   vec4 light_cone;       // cosines of the inner and the outer half-angle
   vec4 shadow_origin;    // w: near plane of a perspective view, depth range of an orthographic one
-  vec4 shadow_extent;    // texels along an edge, 1 / that, range of exponential depths, unused
+  vec4 shadow_extent;    // texels along an edge, 1 / that, depth that counts as 1 in exponential maps, unused
   vec4 shadow_slices;    // orthographic: logarithm of the nearest depth, slices per doubling, last slice, unused
   ShadowView shadow_views[6];
 };

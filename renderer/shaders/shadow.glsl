@@ -21,7 +21,7 @@ Receiver receiver_at(vec3 position, float z, vec3 geometric_normal) {
 }
 
 #ifdef SHADOW_ESM
-// The map holds blurred occluder depths, 0..1 over the light's range.
+// The map holds blurred occluder depths, divided by the light's range as the receiver's are.
 float visibility(Receiver r, float n_dot_l) {
   vec2 texel = (r.st * 0.5 + 0.5) * shadow_extent.x - 0.5;
   ivec2 corner = ivec2(floor(texel));

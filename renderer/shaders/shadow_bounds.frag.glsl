@@ -3,6 +3,7 @@
 #include "shaders/light.glsl"
 
 layout(location = 0) out vec4 bounds[6];  // smallest x and y, largest x and y; empty where the smallest is larger
+layout(location = 6) out vec2 depths;     // smallest and largest depth along an orthographic view, or distance to the light
 
 uniform int block_size;
 
@@ -15,6 +16,7 @@ void main() {
     smallest[i] = vec2(1e30);
     largest[i] = vec2(-1e30);
   }
+  depths = vec2(1e30, -1e30);
   for (int y = first.y; y < last.y; ++y)
     for (int x = first.x; x < last.x; ++x) {
       float z = gbuffer_z(ivec2(x, y));
@@ -22,9 +24,13 @@ void main() {
       vec3 d = world_position((vec2(x, y) + 0.5) * frame_size.zw, z) - shadow_origin.xyz;
       int view = shadow_view_of(d, z);
       vec3 q = to_shadow_view(view, d);
-#ifndef SHADOW_ORTHOGRAPHIC
+#ifdef SHADOW_ORTHOGRAPHIC
+      float depth = q.z;
+#else
       if (q.z <= 0.0) continue;
+      float depth = length(d);
 #endif
+      depths = vec2(min(depths.x, depth), max(depths.y, depth));
       smallest[view] = min(smallest[view], q.xy);
       largest[view] = max(largest[view], q.xy);
     }

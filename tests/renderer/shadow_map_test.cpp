@@ -100,9 +100,10 @@ TEST(GlShadow, FilteredShadowsAreSoftOnlyAtTheEdge) {
 }
 
 TEST(GlShadow, ExponentialVisibilityFollowsTheFormula) {
-  // Straight below the light n.l is 1; the depths 3 and 4 are divided by the distance to the farthest corner.
+  // Straight below the light n.l is 1; the depths 3 and 4 are divided by the largest distance that is seen,
+  // which is that of the picture's corner.
   const Scene scene = plate_scene(point_light({0, 4, 0}));
-  const float range = glm::length(glm::vec3(10, 4, 10));
+  const float range = glm::distance(glm::vec3(0, 4, 0), floor_point(low_view(), kWidth, kHeight, 0, 0));
   const Image visible = shadow_of(scene, "esm", low_view());
   EXPECT_NEAR(visible.pixel(kWidth / 2, kHeight / 2)[0], std::exp(-90.0f * 1 / range), 0.01f);
 }
