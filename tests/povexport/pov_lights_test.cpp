@@ -51,7 +51,7 @@ TEST_P(PovrayAttenuation, IsThatOfTheLightingModel) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, PovrayAttenuation,
+INSTANTIATE_TEST_SUITE_P(PovrayKinds, PovrayAttenuation,
                          testing::Values(Attenuation{}, Attenuation{Attenuation::Kind::fade, 1.2f, 2, 1},
                                          Attenuation{Attenuation::Kind::fade, 0.7f, 3.5f, 1},
                                          Attenuation{Attenuation::Kind::inverse_square, 1, 2, 1}));

@@ -119,7 +119,7 @@ TEST_P(PovrayHighlights, AreUntintedWhateverTheSurface) {
                 [&](int x, int y) { return material.diffuse * texel + highlight(material, x, y); });
 }
 
-INSTANTIATE_TEST_SUITE_P(Surfaces, PovrayHighlights,
+INSTANTIATE_TEST_SUITE_P(PovraySurfaces, PovrayHighlights,
                          testing::Values(glm::vec3(0.25f), glm::vec3(0.25f, 0, 0), glm::vec3(0.75f),
                                          glm::vec3(0.75f, 0.5f, 0)));
 
