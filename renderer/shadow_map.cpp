@@ -127,22 +127,22 @@ void draw_depths(FrameContext& frame, const LightBlock& block, int view, ShadowP
 }
 
 void blur_in_log_space(FrameContext& frame, const ShadowOptions& options, ShadowProjection projection,
-                       int view, ShadowTextures& textures) {
-  const Framebuffer linear({&textures.work[0]}), half_blurred({&textures.work[1]});
-  const Framebuffer blurred = Framebuffer::layer(textures.blurred, view);
+                       int view, ShadowTextures::Maps& maps) {
+  const Framebuffer linear({&maps.work[0]}), half_blurred({&maps.work[1]});
+  const Framebuffer blurred = Framebuffer::layer(maps.blurred, view);
   const Program& depth =
       frame.fullscreen_program("shaders/esm_depth.frag.glsl", projection_defines(projection));
   const Program& blur = frame.fullscreen_program("shaders/esm_blur.frag.glsl");
   depth.set("view", view);
-  textures.depths.bind(8);
+  maps.depths.bind(8);
   frame.draw_fullscreen(linear, depth);
   blur.set("radius", options.esm_blur_radius);
   blur.set("esm_sharpness", options.esm_sharpness);
   blur.set("direction", glm::ivec2(1, 0));
-  textures.work[0].bind(9);
+  maps.work[0].bind(9);
   frame.draw_fullscreen(half_blurred, blur);
   blur.set("direction", glm::ivec2(0, 1));
-  textures.work[1].bind(9);
+  maps.work[1].bind(9);
   frame.draw_fullscreen(blurred, blur);
 }
 
@@ -168,17 +168,18 @@ const GlTexture& draw_shadow_map(FrameContext& frame, const GBuffer& gbuffer, co
   block.shadow_extent.z = exponential_range(seen, projection);
   const Buffer fitted(&block, sizeof block);
   fitted.bind_uniform(1);
-  require(textures.depths, TexelFormat::depth32f, size, views);
+  ShadowTextures::Maps& maps = textures.of_projection[std::size_t(projection)];
+  require(maps.depths, TexelFormat::depth32f, size, views);
   if (exponential) {
-    require(textures.blurred, TexelFormat::r32f, size, views);
-    for (GlTexture& work : textures.work) require(work, TexelFormat::r32f, size, 0);
+    require(maps.blurred, TexelFormat::r32f, size, views);
+    for (GlTexture& work : maps.work) require(work, TexelFormat::r32f, size, 0);
   }
   for (int view = 0; view < views; ++view) {
     if (seen.views[std::size_t(view)].empty()) continue;
-    draw_depths(frame, block, view, projection, Framebuffer::layer(textures.depths, view));
-    if (exponential) blur_in_log_space(frame, options, projection, view, textures);
+    draw_depths(frame, block, view, projection, Framebuffer::layer(maps.depths, view));
+    if (exponential) blur_in_log_space(frame, options, projection, view, maps);
   }
-  return exponential ? textures.blurred : textures.depths;
+  return exponential ? maps.blurred : maps.depths;
 }
 
 }  // namespace lightbench

@@ -63,11 +63,15 @@ void fit_view(LightBlock::View& view, const ViewExtent& extent, int size, int ma
 /// From world space to the clip space of a view, of reversed depth: 1 nearest to the light.
 glm::dmat4 shadow_clip_matrix(const LightBlock& block, int view, ShadowProjection projection);
 
-/// Maps and working space that are kept from frame to frame, since making them costs as much as drawing them.
+/// Maps and working space of each projection, kept from frame to frame, since making them costs as much as
+/// drawing them.
 struct ShadowTextures {
-  GlTexture depths;   ///< array of depth32f
-  GlTexture blurred;  ///< array of r32f, of exponential maps
-  std::array<GlTexture, 2> work;
+  struct Maps {
+    GlTexture depths;   ///< array of depth32f
+    GlTexture blurred;  ///< array of r32f, of exponential maps
+    std::array<GlTexture, 2> work;
+  };
+  std::array<Maps, 3> of_projection;
 };
 
 /// Draws the shadow map of a light as the G-buffer's camera needs it, and completes the block.

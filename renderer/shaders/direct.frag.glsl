@@ -46,7 +46,7 @@ void main() {
   vec3 normal = gbuffer_normal(pixel);
 
   vec3 offset = light_position.xyz - position;
-  float distance_to_light = length(offset);
+  float distance_to_light = max(length(offset), 1e-12);
   vec3 to_light = light_position.w != 0.0 ? offset / distance_to_light : -light_direction.xyz;
   float strength = light_position.w != 0.0 ? attenuation(distance_to_light) * cone(to_light) : 1.0;
   float n_dot_l = dot(normal, to_light);

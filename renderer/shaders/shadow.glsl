@@ -22,7 +22,7 @@ Receiver receiver_at(vec3 position, float z, vec3 geometric_normal) {
 
 #ifdef SHADOW_ESM
 // The map holds blurred occluder depths, divided by the light's range as the receiver's are.
-float visibility(Receiver r, float n_dot_l) {
+float visibility_in_view(Receiver r, float n_dot_l) {
   vec2 texel = (r.st * 0.5 + 0.5) * shadow_extent.x - 0.5;
   ivec2 corner = ivec2(floor(texel));
   vec2 f = texel - vec2(corner);
@@ -78,7 +78,7 @@ float lit_at(Receiver r, PlaneDepth plane, ivec2 texel) {
 }
 
 #ifdef SHADOW_PCF
-float visibility(Receiver r, float n_dot_l) {
+float visibility_in_view(Receiver r, float n_dot_l) {
   vec2 texel = (r.st * 0.5 + 0.5) * shadow_extent.x - 0.5;
   ivec2 corner = ivec2(floor(texel));
   vec2 f = texel - vec2(corner);
@@ -97,9 +97,14 @@ float visibility(Receiver r, float n_dot_l) {
   return sum / weights;
 }
 #else
-float visibility(Receiver r, float n_dot_l) {
+float visibility_in_view(Receiver r, float n_dot_l) {
   ivec2 texel = ivec2(floor((r.st * 0.5 + 0.5) * shadow_extent.x));
   return lit_at(r, plane_depth(r), clamp(texel, ivec2(0), ivec2(shadow_extent.x) - 1));
 }
 #endif
 #endif
+
+float visibility(Receiver r, float n_dot_l) {
+  // A view in which nothing was seen was not drawn; rounding may still put a point of a seam there.
+  return shadow_views[r.view].forward.w == 0.0 ? 1.0 : visibility_in_view(r, n_dot_l);
+}
