@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "pipeline/concrete.h"
 #include "pipeline/tables.h"
 #include "pipeline/version.h"
@@ -61,10 +62,16 @@ class Gatherer {
                                     find_reference_kind(reference.kind, "").bounces(params),
                                     tool == facts_.tools.end() ? "" : tool->second});
     }
-    for (const auto& variant : report_.variants)
-      for (const auto& reference : report_.references)
-        if (const auto warning = bounces_warning(variant, reference); !warning.empty())
-          report_.warnings.push_back(warning);
+    for (const auto& reference : report_.references) {
+      std::vector<std::string> others;
+      for (const auto& variant : report_.variants)
+        if (!bounces_warning(variant, reference).empty())
+          others.push_back(fmt::format("{} {}", variant.name, variant.bounces));
+      if (!others.empty())
+        report_.warnings.push_back(fmt::format("{} has {} of indirect light; other numbers: {}",
+                                               reference.name, bounces_text(reference.bounces),
+                                               join(others, ", ")));
+    }
   }
 
   static std::string bounces_warning(const ReportImageSource& variant, const ReportImageSource& reference) {

@@ -1,0 +1,330 @@
+#include "e2e_fixture.h"
+
+namespace lightbench {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using Json = nlohmann::json;
+
+/// Runs of a small job with a stand-in for POV-Ray.
+class GlRun : public test::Program {
+ protected:
+  GlRun() {
+    write_job("");
+    fake_povray(copy_picture());
+  }
+
+  /// `more` goes into the job as further keys.
+  void write_job(const std::string& more) const {
+    write("job.json", R"({"name": "job", "size": [32, 24],
+      "scenes": [{"name": "box", "scene": "scene.json", "cameras": "cameras.json"}],
+      "variants": [{"name": "direct", "technique": "direct", "params": {"shadows": "none"}},
+                   {"name": "lit", "technique": "ambient", "params": {"shadows": "none"}}],
+      "references": [{"name": "truth", "kind": "povray"}])" +
+                          more + "}");
+  }
+
+  ProcessResult run_job(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"run", "job.json", "--out", "out"});
+    return run(more);
+  }
+  Json report() const { return Json::parse(read_file(path("out/run.json"))); }
+
+  std::size_t lines_of_ledger() const {
+    const std::string text = read_file(path("out/ledger.jsonl"));
+    return std::size_t(std::count(text.begin(), text.end(), '\n'));
+  }
+  std::size_t pictures(const std::string& ending) const {
+    std::size_t count = 0;
+    for (const auto& file : files("out")) count += file.ends_with(ending);
+    return count;
+  }
+
+  static constexpr std::size_t kTasks = 13;  // 4 snapshots, 2 references, 3 exports, 4 scores
+};
+
+TEST_F(GlRun, MakesEveryPictureScoreAndReport) {
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_EQ(lines_of_ledger(), kTasks);
+  for (const char* file :
+       {"out/index.html", "out/run.json", "out/junit.xml", "out/summary.md", "out/views/box/front/direct.exr",
+        "out/views/box/front/lit.png", "out/views/box/side/truth.pov", "out/views/box/side/truth.exr",
+        "out/views/box/side/lit~truth.diff.png", "out/views/box/side/lit~truth.heat.png",
+        "out/views/box/side/lit~direct.diff.png"})
+    EXPECT_TRUE(std::filesystem::exists(path(file))) << file;
+  EXPECT_THAT(result.out, HasSubstr("out/index.html"));
+}
+
+TEST_F(GlRun, NoTemporaryFileStays) {
+  run_job();
+  for (const auto& file : files()) EXPECT_THAT(file, Not(HasSubstr("tmp")));
+}
+
+TEST_F(GlRun, ASecondRunDoesNothing) {
+  run_job();
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.out, HasSubstr("0 tasks to do, 13 there already"));
+  EXPECT_EQ(lines_of_ledger(), kTasks);
+}
+
+TEST_F(GlRun, PlanExplainSaysWhichPartOfAKeyChanged) {
+  run_job();
+  write("box.mtl", "newmtl grey\nKd 0.1 0.5 0.4\n");
+  const auto result = run({"plan", "job.json", "--out", "out", "--explain"});
+  EXPECT_THAT(result.out, HasSubstr("snapshot:box/front/direct  to do: changed: file box.mtl"));
+  EXPECT_THAT(result.out, HasSubstr("export:box/front/truth"));
+}
+
+TEST_F(GlRun, ADamagedPictureIsMadeAgain) {
+  run_job();
+  write("out/views/box/front/lit.png", "not a picture");
+  EXPECT_THAT(run_job().out, HasSubstr("1 tasks to do, 12 there already"));
+  EXPECT_EQ(read_image_srgb8(path("out/views/box/front/lit.png")).width, 32);
+}
+
+TEST_F(GlRun, AGateThatIsNotMetIsExitCode1) {
+  write_job(R"(, "gates": [{"metric": "gain", "variant": "lit", "min": 100}])");
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
+  EXPECT_FALSE(report().at("gates").at(0).at("passed").get<bool>());
+}
+
+TEST_F(GlRun, AGateThatIsMetIsExitCode0) {
+  write_job(R"(, "gates": [{"metric": "mean_error", "variant": "*", "max": 255}])");
+  EXPECT_EQ(run_job().exit_code, 0);
+}
+
+TEST_F(GlRun, AFailingReferenceIsOneRowAndTheRestIsDone) {
+  fake_povray("case \"$(readlink scene.pov)\" in */front/*) echo 'it is dark here' >&2; exit 1;; esac\n" +
+              copy_picture());
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 2) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("reference:box/front/truth FAILED"));
+  EXPECT_THAT(result.out, HasSubstr("it is dark here"));
+  EXPECT_FALSE(std::filesystem::exists(path("out/views/box/front/truth.png")));
+  EXPECT_TRUE(std::filesystem::exists(path("out/views/box/side/lit~truth.score.json")));
+}
+
+TEST_F(GlRun, AFailedTaskIsTriedAgain) {
+  fake_povray("exit 1");
+  EXPECT_EQ(run_job().exit_code, 2);
+  fake_povray(copy_picture());
+  EXPECT_EQ(run_job().exit_code, 0);
+  EXPECT_EQ(pictures("truth.png"), 2u);
+}
+
+TEST_F(GlRun, AReferenceWithoutAnImageHasFailed) {
+  fake_povray("exit 0");
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.out, HasSubstr("wrote no image"));
+}
+
+TEST_F(GlRun, AHangingReferenceIsStopped) {
+  write_job("");
+  write("job.json", [&] {
+    std::string text = read_file(path("job.json"));
+    return text.replace(text.find(R"("kind": "povray")"), 16, R"("kind": "povray", "timeout": 0.5)");
+  }());
+  fake_povray("sleep 60");
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.out, HasSubstr("timed out"));
+}
+
+TEST_F(GlRun, AKilledWorkerLosesOnlyItsTask) {
+  fake_povray("case \"$(readlink scene.pov)\" in */front/*) kill -9 $PPID; sleep 5;; esac\n" +
+              copy_picture());
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 2) << result.out << result.err;
+  EXPECT_THAT(result.out,
+              HasSubstr("reference:box/front/truth FAILED: its worker ended: killed by signal 9"));
+  EXPECT_EQ(pictures("side/truth.png"), 1u);
+  EXPECT_EQ(pictures("lit.png"), 2u);
+}
+
+/// The run is the parent of the worker, which is the parent of POV-Ray.
+const char* const kParentOfWorker = "$(awk '{print $4}' /proc/$PPID/stat)";
+
+TEST_F(GlRun, AnInterruptedRunGoesOnLater) {
+  fake_povray("kill -TERM " + std::string(kParentOfWorker) + "; sleep 5");
+  const auto first = run_job({"--jobs", "1"});
+  EXPECT_EQ(first.exit_code, 2) << first.out << first.err;
+  EXPECT_THAT(first.out, HasSubstr("interrupted"));
+  const std::size_t done = lines_of_ledger();
+  EXPECT_GT(done, 0u);
+  fake_povray(copy_picture());
+  const auto second = run_job();
+  EXPECT_EQ(second.exit_code, 0) << second.out << second.err;
+  EXPECT_THAT(second.out, HasSubstr(std::to_string(done) + " there already"));
+  EXPECT_EQ(lines_of_ledger(), kTasks);
+}
+
+TEST_F(GlRun, AKilledRunGoesOnLater) {
+  fake_povray("kill -KILL " + std::string(kParentOfWorker) + "; sleep 5");
+  EXPECT_EQ(run_job({"--jobs", "1"}).signal, SIGKILL);
+  const std::size_t done = lines_of_ledger();
+  fake_povray(copy_picture());
+  const auto second = run_job();
+  EXPECT_EQ(second.exit_code, 0) << second.out << second.err;
+  EXPECT_THAT(second.out, HasSubstr(std::to_string(done) + " there already"));
+}
+
+TEST_F(GlRun, WithoutPovrayNothingIsBegun) {
+  environment_["LIGHTBENCH_POVRAY"] = "/nowhere/povray";
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("POV-Ray is not there"));
+  EXPECT_EQ(pictures(".png"), 0u);
+}
+
+TEST_F(GlRun, WithoutPovraySnapshotsArePossible) {
+  environment_["LIGHTBENCH_POVRAY"] = "/nowhere/povray";
+  EXPECT_EQ(run_job({"--stages", "snapshot"}).exit_code, 0);
+  EXPECT_EQ(pictures(".png"), 4u);
+}
+
+TEST_F(GlRun, StagesOneAfterTheOther) {
+  EXPECT_EQ(run_job({"--stages", "snapshot"}).exit_code, 0);
+  EXPECT_EQ(pictures("truth.exr"), 0u);
+  EXPECT_EQ(run_job({"--stages", "score"}).exit_code, 2);  // nothing to compare with yet
+  EXPECT_EQ(run_job({"--stages", "reference"}).exit_code, 0);
+  EXPECT_EQ(pictures(".score.json"), 0u);
+  EXPECT_EQ(run({"score", "out"}).exit_code, 0);
+  EXPECT_EQ(pictures(".score.json"), 4u);
+}
+
+TEST_F(GlRun, OnlyWhatIsAskedForAndWhatItNeeds) {
+  EXPECT_EQ(run_job({"--only", "box/front/lit"}).exit_code, 0);
+  EXPECT_EQ(pictures(".score.json"), 1u);
+  EXPECT_EQ(pictures("front/direct.png"), 1u);  // the baseline
+  EXPECT_TRUE(files("out/views/box").contains("out/views/box/front/truth.png"));
+  EXPECT_FALSE(std::filesystem::exists(path("out/views/box/side")));
+}
+
+TEST_F(GlRun, OnlyWhatDoesNotExistIsAnError) {
+  EXPECT_EQ(run_job({"--only", "nothing*"}).exit_code, 3);
+}
+
+TEST_F(GlRun, ABrokenSceneFailsItsOwnTasksAlone) {
+  write("broken.json", R"({"entities": [{"obj": "nowhere.obj"}]})");
+  std::string text = read_file(path("job.json"));
+  const std::string place = R"("scenes": [)";
+  write("job.json",
+        text.replace(text.find(place), place.size(),
+                     place + R"({"name": "broken", "scene": "broken.json", "cameras": "cameras.json"},)"));
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 2) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("nowhere.obj"));
+  EXPECT_EQ(pictures("~truth.score.json"), 4u);
+}
+
+TEST_F(GlRun, PicturesOfAnotherEngineAreScored) {
+  write_png(path("mine/box-front.png"), Image8(32, 24, 3, 188));  // the sRGB of what the fake POV-Ray shows
+  write_png(path("mine/box-side.png"), Image8(32, 24, 3, 100));
+  std::string text = read_file(path("job.json"));
+  const std::string place = R"("variants": [)";
+  write("job.json",
+        text.replace(text.find(place), place.size(), place + R"({"name": "mine", "technique": "images",
+                                             "params": {"pattern": "mine/{scene}-{view}.png"}},)"));
+  EXPECT_EQ(run_job().exit_code, 0);
+  const auto score = Json::parse(read_file(path("out/views/box/front/mine~truth.score.json")));
+  EXPECT_EQ(score.at("metrics").at("mean_error"), 0.0);
+  write_png(path("mine/box-side.png"), Image8(32, 24, 3, 120));
+  EXPECT_THAT(run_job().out, HasSubstr("snapshot:box/side/mine done"));
+}
+
+TEST_F(GlRun, SweepsAndRandomViewsAndBuffers) {
+  write("job.json", R"({"size": [32, 24], "scenes": [{"scene": "box.obj", "random": {"count": 2, "seed": 3}}],
+      "variants": [{"name": "lit", "technique": "ambient", "params": {"shadows": "none"}, "sweep": {"k": [0.1, 0.5]}}],
+      "buffers": ["albedo", "depth"]})");
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_EQ(pictures("lit[k=0.5].png"), 2u);
+  EXPECT_EQ(pictures("~~depth.exr"), 4u);
+  EXPECT_TRUE(std::filesystem::exists(path("out/cameras/box.json")));
+  EXPECT_THAT(run_job().out, HasSubstr("0 tasks to do"));
+}
+
+TEST_F(GlRun, ReportsCanBeWrittenAgain) {
+  run_job();
+  std::filesystem::remove(path("out/index.html"));
+  EXPECT_EQ(run({"report", "out"}).exit_code, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("out/index.html")));
+}
+
+TEST_F(GlRun, TwoRunsInOneFolderAreKeptApart) {
+  fake_povray("'" + std::string(LIGHTBENCH_BINARY) + "' run '" + path("job.json").string() + "' --out '" +
+              path("out").string() + "' 2> '" + path("second.txt").string() + "'\n" + copy_picture());
+  EXPECT_EQ(run_job({"--jobs", "1"}).exit_code, 0);
+  EXPECT_THAT(read_file(path("second.txt")), HasSubstr("another run is working in this folder"));
+}
+
+TEST_F(GlRun, AFullDiskIsAClearErrorAndLeavesNothingHalfWritten) {
+  std::filesystem::create_directories(path("small"));
+  const std::string mount = "mount -t tmpfs -o size=64k tmpfs '" + path("small").string() + "'";
+  const std::string unshare = "unshare --map-root-user --mount sh -c ";
+  if (!run_process({.argv = {"sh", "-c", unshare + "\"" + mount + "\""}}).ok())
+    GTEST_SKIP() << "this machine does not let us mount a small file system";
+  const auto result = run_process(
+      {.argv = {"sh", "-c",
+                unshare + "\"" + mount + " && cd '" + folder_.path().string() + "' && '" + LIGHTBENCH_BINARY +
+                    "' run job.json --out small/out; code=\\$?; "
+                    "find small -name '*tmp*'; exit \\$code\""},
+       .environment = environment_});
+  EXPECT_THAT(result.exit_code, ::testing::AnyOf(2, 3)) << result.out << result.err;
+  EXPECT_THAT(result.out + result.err, HasSubstr("No space left"));
+  EXPECT_THAT(result.out, Not(HasSubstr(".tmp")));
+}
+
+TEST_F(GlRun, BenchTimesEveryVariantApart) {
+  const auto result = run({"bench", "job.json", "--rounds", "2", "-o", "bench.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("box/front/lit"));
+  const auto json = Json::parse(read_file(path("bench.json")));
+  EXPECT_EQ(json.at("rows").size(), 4u);
+  EXPECT_GT(json.at("rows").at(0).at("passes").at(0).at("median_seconds").get<double>(), 0);
+}
+
+class GlRender : public test::Program {};
+
+TEST_F(GlRender, WritesThePictureAndItsBuffers) {
+  const auto result = run({"render", "scene.json", "--cameras", "cameras.json", "--view", "side", "--size",
+                           "32x24", "-o", "a.png", "--buffers", "albedo,depth"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(read_image_srgb8(path("a.png")).width, 32);
+  EXPECT_TRUE(std::filesystem::exists(path("a.albedo.exr")));
+  EXPECT_TRUE(std::filesystem::exists(path("a.depth.png")));
+}
+
+TEST_F(GlRender, UnwritableOutputIsAnError) {
+  const auto result =
+      run({"render", "scene.json", "--cameras", "cameras.json", "--size", "32x24", "-o", "/proc/a.png"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("/proc/a.png"));
+}
+
+class PovrayRun : public test::Program {};
+
+TEST_F(PovrayRun, DirectLightAgreesWithPovray) {
+  write("job.json", R"({"size": [64, 48], "scenes": [{"scene": "scene.json", "cameras": "cameras.json"}],
+      "variants": [{"name": "direct", "technique": "direct"}],
+      "references": [{"name": "truth", "kind": "povray", "preset": "direct"}],
+      "metrics": ["mean_error"], "gates": [{"metric": "mean_error", "variant": "direct", "max": 0.5}]})");
+  const auto result = run({"run", "job.json", "--out", "out"});
+  // Both round to 8 bits, and edges of shadows may differ by a texel.
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+}
+
+TEST_F(PovrayRun, AReferenceCanBeRenderedAlone) {
+  const auto result = run({"reference", "scene.json", "--cameras", "cameras.json", "--size", "32x24",
+                           "--preset", "direct", "-o", "truth.exr"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(read_image(path("truth.exr")).channels, 4);
+}
+
+}  // namespace
+}  // namespace lightbench

@@ -1,0 +1,91 @@
+#include "pipeline/concrete.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "job_fixture.h"
+#include "pipeline/tables.h"
+#include "scene/camera_script.h"
+
+namespace lightbench {
+namespace {
+
+using test::kJobText;
+using test::replaced;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+Job swept_job(const std::string& gate_variant = "other") {
+  auto text = replaced(kJobText, R"("technique": "ambient")",
+                       R"("technique": "ambient", "sweep": {"shadows": ["hard", "pcf"], "k": [0.5, 1]})");
+  text =
+      replaced(text, R"("metrics")",
+               R"("gates": [{"metric": "gain", "variant": ")" + gate_variant + R"(", "min": 0}], "metrics")");
+  return test::concrete_job(text);
+}
+
+TEST(Concrete, ASweepMakesAVariantOfEachCombination) {
+  EXPECT_THAT(row_names(swept_job().variants),
+              ElementsAre("direct", "other[shadows=hard,k=0.5]", "other[shadows=hard,k=1]",
+                          "other[shadows=pcf,k=0.5]", "other[shadows=pcf,k=1]"));
+}
+
+TEST(Concrete, SweptVariantsHaveTheirValues) {
+  const auto params = variant_params(swept_job().variants[2]);
+  EXPECT_EQ(params.text("shadows"), "hard");
+  EXPECT_EQ(params.number("k"), 1.0);
+}
+
+TEST(Concrete, AGateOfASweptVariantHoldsForAllThatItMakes) {
+  const Job job = swept_job();
+  ASSERT_EQ(job.gates.size(), 4u);
+  EXPECT_EQ(job.gates[0].variant, "other[shadows=hard,k=0.5]");
+  EXPECT_EQ(job.gates[3].variant, "other[shadows=pcf,k=1]");
+}
+
+TEST(Concrete, AGateOfAPatternStays) {
+  const Job job = swept_job("oth*");
+  ASSERT_EQ(job.gates.size(), 1u);
+  EXPECT_EQ(job.gates[0].variant, "oth*");
+}
+
+TEST(Concrete, DrawnViewsAreStoredAndReadBack) {
+  const TemporaryFolder out;
+  const auto text =
+      replaced(kJobText, R"("views": [{"name": "a", "position": [1, 0, 0], "look_at": [0, 0, 0]}])",
+               R"("random": {"count": 1, "seed": 5, "fov": 40})");
+  const Job job = make_concrete(parse_job(text, "/jobs/job.json"), out.path(),
+                                [](const JobScene& scene, const RandomViewsRequest& request, double aspect) {
+                                  EXPECT_EQ(scene.name, "two");
+                                  EXPECT_EQ(request.seed, 5u);
+                                  EXPECT_DOUBLE_EQ(aspect, 8.0 / 6.0);
+                                  return std::vector<View>{{"drawn", {{0.1f, 0.2f, 0.3f}, {0, 0, 0}}}};
+                                });
+  EXPECT_EQ(views_of(job.scenes[1])[0].name, "drawn");
+  const auto stored = read_camera_script(out.path() / "cameras" / "two.json");
+  EXPECT_EQ(stored[0].camera.position, views_of(job.scenes[1])[0].camera.position);
+}
+
+TEST(Concrete, NamedViewsAreTakenInTheOrderOfTheJob) {
+  const TemporaryFolder folder;
+  write_file_atomic(folder.path() / "c.json",
+                    camera_script_text({{"x", {{1, 0, 0}}}, {"y", {{2, 0, 0}}}, {"z", {{3, 0, 0}}}}));
+  const auto job_of = [&](const std::string& names) {
+    return make_concrete(parse_job(R"({"scenes": [{"scene": "s.json", "cameras": "c.json", "views": )" +
+                                       names + R"(}], "variants": [{"technique": "direct"}]})",
+                                   folder.path() / "job.json"),
+                         "/out", nullptr);
+  };
+  EXPECT_THAT(row_names(views_of(job_of(R"(["z", "x"])").scenes[0])), ElementsAre("z", "x"));
+  try {
+    job_of(R"(["w"])");
+    FAIL() << "a view that is not there was found";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("c.json: has no view 'w'"));
+  }
+}
+
+}  // namespace
+}  // namespace lightbench

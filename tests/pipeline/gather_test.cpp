@@ -1,0 +1,131 @@
+#include "pipeline/gather.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "job_fixture.h"
+
+namespace lightbench {
+namespace {
+
+using test::index_of;
+using test::replaced;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+
+class Gather : public ::testing::Test {
+ protected:
+  Gather() {
+    for (const auto& task : plan_.tasks) {
+      TaskOutcome outcome;
+      outcome.state = TaskState::done;
+      outcome.entry = LedgerEntry{};
+      if (task.kind == TaskKind::score) outcome.entry->result.metrics["gain"] = MetricValue::of(30);
+      outcomes_.push_back(outcome);
+    }
+  }
+
+  TaskOutcome& outcome(const std::string& id) { return outcomes_[index_of(plan_, id)]; }
+  void set(const std::string& id, TaskState state, const std::string& reason) {
+    outcome(id) = {state, reason, 0, std::nullopt};
+  }
+  RunReport report() const { return gather_report(plan_, test::facts_for(plan_.job), outcomes_, selected_); }
+  static const ReportImage& image(const RunReport& report, const std::string& scene, const std::string& view,
+                                  const std::string& source) {
+    for (const auto& i : report.images)
+      if (i.scene == scene && i.view == view && i.source == source) return i;
+    throw std::out_of_range(source);
+  }
+
+  Plan plan_ = test::plan_of(test::concrete_job(
+      replaced(test::kJobText, R"("metrics")",
+               R"("gates": [{"metric": "gain", "variant": "other", "min": 25}], "metrics")")));
+  std::vector<TaskOutcome> outcomes_;
+  std::vector<bool> selected_;
+};
+
+TEST_F(Gather, EveryImageAndScoreStandsInTheReportOnce) {
+  const RunReport made = report();
+  EXPECT_EQ(made.images.size(), 9u);
+  EXPECT_EQ(made.scores.size(), 6u);
+  EXPECT_EQ(made.scenes.size(), 2u);
+  EXPECT_EQ(exit_code_of(made, outcomes_, selected_), ExitCode::ok);
+}
+
+TEST_F(Gather, PathsAreRelativeToTheRunsFolder) {
+  const RunReport made = report();
+  EXPECT_EQ(image(made, "one", "a", "other").png, "views/one/a/other.png");
+  EXPECT_EQ(made.scores[0].difference_png, "views/one/a/direct~truth.diff.png");
+  EXPECT_EQ(made.scores[1].baseline_difference_png, "views/one/a/other~direct.diff.png");
+}
+
+TEST_F(Gather, AFailureIsARowWithItsMessage) {
+  set("snapshot:one/a/other", TaskState::failed, "no light");
+  set("score:one/a/other/truth", TaskState::skipped, "needs snapshot:one/a/other, which failed");
+  const RunReport made = report();
+  EXPECT_EQ(image(made, "one", "a", "other").outcome, Outcome::failed);
+  EXPECT_EQ(image(made, "one", "a", "other").error, "no light");
+  EXPECT_EQ(made.scores[1].outcome, Outcome::skipped);
+  EXPECT_EQ(exit_code_of(made, outcomes_, selected_), ExitCode::task_failed);
+}
+
+TEST_F(Gather, AFailedExportIsAFailedReference) {
+  set("export:two/povray", TaskState::failed, "disk full");
+  set("reference:two/a/truth", TaskState::skipped, "needs export:two/povray, which failed: disk full");
+  const RunReport made = report();
+  EXPECT_EQ(image(made, "two", "a", "truth").outcome, Outcome::failed);
+  EXPECT_THAT(image(made, "two", "a", "truth").error, HasSubstr("disk full"));
+}
+
+TEST_F(Gather, AGateThatIsNotMetDecides) {
+  outcome("score:one/b/other/truth").entry->result.metrics["gain"] = MetricValue::of(24.9);
+  const RunReport made = report();
+  ASSERT_EQ(made.gates.size(), 1u);
+  EXPECT_FALSE(made.gates[0].passed);
+  EXPECT_EQ(exit_code_of(made, outcomes_, selected_), ExitCode::gate_failed);
+}
+
+TEST_F(Gather, AFailureCountsMoreThanAGate) {
+  set("score:one/b/other/truth", TaskState::failed, "sizes differ");
+  EXPECT_EQ(exit_code_of(report(), outcomes_, selected_), ExitCode::task_failed);
+}
+
+TEST_F(Gather, APartOfARunIsJudgedByWhatIsThere) {
+  selected_ = select_tasks(plan_, {}, "one/a/*");
+  set("score:two/a/other/truth", TaskState::skipped, "not asked for");
+  const RunReport made = report();
+  ASSERT_EQ(made.gates.size(), 1u);
+  EXPECT_TRUE(made.gates[0].passed);
+  EXPECT_EQ(exit_code_of(made, outcomes_, selected_), ExitCode::ok);
+}
+
+TEST_F(Gather, AGateWithoutAnyScoreIsLeftOutOfAPartOfARun) {
+  selected_ = select_tasks(plan_, {TaskKind::snapshot}, "");
+  for (std::size_t i = 0; i < outcomes_.size(); ++i)
+    if (plan_.tasks[i].kind == TaskKind::score)
+      outcomes_[i] = {TaskState::skipped, "not asked for", 0, std::nullopt};
+  const RunReport made = report();
+  EXPECT_TRUE(made.gates.empty());
+  EXPECT_THAT(made.warnings, Contains(HasSubstr("not judged")));
+}
+
+TEST_F(Gather, AnotherNumberOfBouncesIsFlagged) {
+  const RunReport made = report();
+  EXPECT_THAT(made.warnings,
+              Contains("truth has 2 bounces of indirect light; other numbers: direct 0, other 1"));
+  EXPECT_THAT(made.scores[0].warnings, Contains(HasSubstr("0 bounces")));
+}
+
+TEST_F(Gather, WhatTheSceneLacksIsToldWithIt) {
+  PlanFacts facts = test::facts_for(plan_.job);
+  facts.scenes[0].warnings = {"bump maps are ignored"};
+  facts.scenes[0].kind_warnings["povray"] = {"a light is approximated"};
+  facts.scenes[0].credits = {{"chair", "someone", "CC0"}};
+  const RunReport made = gather_report(plan_, facts, outcomes_, {});
+  EXPECT_THAT(made.scenes[0].warnings,
+              ::testing::ElementsAre("bump maps are ignored", "povray: a light is approximated"));
+  EXPECT_EQ(made.scenes[0].credits.at(0).creator, "someone");
+}
+
+}  // namespace
+}  // namespace lightbench

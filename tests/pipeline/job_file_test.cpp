@@ -1,0 +1,163 @@
+#include "pipeline/job_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "job_fixture.h"
+
+namespace lightbench {
+namespace {
+
+using test::kJobText;
+using test::replaced;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::string error_of(const std::string& text) {
+  try {
+    parse_job(text, "/jobs/job.json");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(JobFile, SaysWhatStandsInIt) {
+  const Job job = parse_job(kJobText, "/jobs/job.json");
+  EXPECT_EQ(job.name, "job");
+  EXPECT_EQ(job.width, 8);
+  EXPECT_EQ(job.scenes[0].file, "/jobs/one.json");
+  EXPECT_EQ(views_of(job.scenes[0])[1].name, "b");
+  EXPECT_EQ(job.variants[1].technique, "ambient");
+  EXPECT_THAT(job.metrics, ElementsAre("mean_error", "gain"));
+}
+
+TEST(JobFile, DefaultsAreFilledIn) {
+  const Job job = parse_job(kJobText, "/jobs/job.json");
+  EXPECT_EQ(job.samples, 1);
+  EXPECT_EQ(job.baseline, "direct");
+  EXPECT_EQ(job.primary_reference, "truth");
+  EXPECT_EQ(job.references[0].timeout, std::chrono::hours(2));
+  EXPECT_EQ(reference_params(job.references[0]).integer("recursion_limit"), 2);
+}
+
+TEST(JobFile, TheNameIsTheFilesWhereNoneIsGiven) {
+  EXPECT_EQ(parse_job(replaced(kJobText, R"("name": "job",)", ""), "/jobs/tuesday.json").name, "tuesday");
+}
+
+TEST(JobFile, TwoDirectVariantsLeaveNoBaseline) {
+  const auto text = replaced(kJobText, R"("name": "other", "technique": "ambient")",
+                             R"("name": "other", "technique": "direct", "preset": "pcf")");
+  EXPECT_EQ(parse_job(text, "/jobs/job.json").baseline, "");
+}
+
+TEST(JobFile, CommentsAreAllowed) {
+  EXPECT_EQ(error_of("// a job\n" + std::string(kJobText)), "no error");
+}
+
+TEST(JobFile, TheTextOfAJobReadsBackToTheSameJob) {
+  const auto text =
+      replaced(kJobText, R"("technique": "ambient")",
+               R"("technique": "ambient", "params": {"shadows": "pcf"}, "sweep": {"k": [0.1, 0.7]})");
+  const Job job = parse_job(text, "/jobs/job.json");
+  const Job again = parse_job(job_text(job), "/elsewhere/job.json");
+  EXPECT_EQ(job_text(again), job_text(job));
+  EXPECT_EQ(views_of(again.scenes[0])[0].camera.fov, views_of(job.scenes[0])[0].camera.fov);
+}
+
+TEST(JobFile, NamedViewsOfACameraScriptAreKept) {
+  const auto text = R"({"scenes": [{"scene": "s.json", "cameras": "c.json", "views": ["x", "y"]}],
+                        "variants": [{"technique": "direct"}]})";
+  const Job job = parse_job(text, "/jobs/job.json");
+  const auto script = std::get<CameraScript>(job.scenes[0].views);
+  EXPECT_EQ(script.file, "/jobs/c.json");
+  EXPECT_THAT(script.names, ElementsAre("x", "y"));
+}
+
+struct BadJob {
+  const char* what;
+  const char* from;
+  const char* to;
+  const char* error;
+};
+
+void PrintTo(const BadJob& bad, std::ostream* stream) {
+  *stream << bad.what;
+}
+
+class JobFileError : public ::testing::TestWithParam<BadJob> {};
+
+TEST_P(JobFileError, NamesThePlaceAndTheNearestName) {
+  EXPECT_THAT(error_of(replaced(kJobText, GetParam().from, GetParam().to)), HasSubstr(GetParam().error));
+}
+
+const BadJob kBadJobs[] = {
+    {"unknown key", R"("metrics")", R"("metrix")", "$: unknown key 'metrix' (did you mean 'metrics'?)"},
+    {"unknown metric", R"("gain"])", R"("gian"])", "$.metrics[1]: must be one of"},
+    {"metric twice", R"("gain"])", R"("mean_error"])", "$.metrics[1]: the metric 'mean_error' stands twice"},
+    {"unknown technique", R"("ambient")", R"("ambeint")", "$.variants[1].technique: "},
+    {"nearest technique", R"("ambient")", R"("ambeint")", "did you mean 'ambient'?"},
+    {"unknown preset", R"("technique": "direct")", R"("technique": "direct", "preset": "pfc")",
+     "$.variants[0].preset: must be one of"},
+    {"unknown parameter", R"("technique": "direct")",
+     R"("technique": "direct", "params": {"shadow": "hard"})",
+     "$.variants[0].params: unknown key 'shadow' (did you mean 'shadows'?)"},
+    {"parameter out of range", R"("technique": "ambient")", R"("technique": "ambient", "params": {"k": -1})",
+     "$.variants[1].params.k: 'k' must be between"},
+    {"parameter of a wrong type", R"("technique": "ambient")",
+     R"("technique": "ambient", "params": {"k": "1"})", "$.variants[1].params.k: 'k' must be a number"},
+    {"parameter swept and given", R"("technique": "ambient")",
+     R"("technique": "ambient", "params": {"k": 1}, "sweep": {"k": [1]})",
+     "$.variants[1].sweep: 'k' stands in"},
+    {"empty sweep", R"("technique": "ambient")", R"("technique": "ambient", "sweep": {"k": []})",
+     "$.variants[1].sweep.k: a sweep needs at least one value"},
+    {"huge sweep", R"("technique": "ambient")",
+     R"("technique": "ambient", "sweep": {"k": [0,1,2,3,4,5,6,7], "pcf_radius": [0,1,2,3,4,5,6,7],
+        "esm_blur_radius": [0,1,2,3,4,5,6,7], "esm_size": [16,17,18,19,20,21,22,23],
+        "shadow_size": [16,17]})",
+     "makes 8192 variants"},
+    {"name twice", R"("name": "other")", R"("name": "direct")",
+     "$.variants[1]: the name 'direct' stands twice"},
+    {"variant named as a reference", R"("name": "truth")", R"("name": "direct")",
+     "$.references[0]: the name"},
+    {"empty name", R"("name": "other")", R"("name": " ")", "$.variants[1].name: a name must not be empty"},
+    {"name with a line break", R"("name": "other")", R"("name": "a\nb")", "control characters"},
+    {"scene twice", R"("name": "two")", R"("name": "one")", "$.scenes[1]: the scene 'one' stands twice"},
+    {"view twice", R"("name": "b")", R"("name": "a")", "$.scenes[0].views[1]: the view 'a' stands twice"},
+    {"unknown kind", R"("kind": "povray")", R"("kind": "povary")",
+     "$.references[0].kind: unknown reference kind"},
+    {"bad timeout", R"("kind": "povray")", R"("kind": "povray", "timeout": 0)", "$.references[0].timeout"},
+    {"zero-size image", "[8, 6]", "[0, 6]", "$.size"},
+    {"image of 100k x 100k", "[8, 6]", "[100000, 100000]", "$.size"},
+    {"too large with its samples", "[8, 6]", "[16384, 16384], \"samples\": 4", "$.samples"},
+    {"size of three", "[8, 6]", "[8, 6, 1]", "$.size: must be [width, height]"},
+    {"size in text", "[8, 6]", "[\"8\", 6]", "$.size[0]: must be a number"},
+    {"zero-area camera", R"("position": [1, 0, 0])", R"("position": [0, 0, 0])", "$.scenes[1].views[0]"},
+    {"foreign variable", "one.json", "${HOME}/one.json", "$.scenes[0].scene"},
+    {"no variants", R"({"name": "direct", "technique": "direct"}, {"name": "other", "technique": "ambient"})",
+     "", "$.variants: a job needs at least one variant"},
+    {"unknown baseline", R"("metrics")", R"("baseline": "dierct", "metrics")", "did you mean 'direct'?"},
+    {"unknown buffer", R"("metrics")", R"("buffers": ["albedoo"], "metrics")", "$.buffers[0]"},
+    {"gate without bounds", R"("metrics")", R"("gates": [{"metric": "gain", "variant": "other"}], "metrics")",
+     "$.gates[0]: a gate needs 'min' or 'max'"},
+    {"gate of no variant", R"("metrics")",
+     R"("gates": [{"metric": "gain", "variant": "othre", "min": 0}], "metrics")",
+     "$.gates[0].variant: no variant is called 'othre' (did you mean 'other'?)"},
+    {"gate of a metric that is not computed", R"("metrics")",
+     R"("gates": [{"metric": "pearson", "variant": "other", "min": 0}], "metrics")", "$.gates[0].metric"},
+    {"gate with bounds the wrong way round", R"("metrics")",
+     R"("gates": [{"metric": "gain", "variant": "*", "min": 2, "max": 1}], "metrics")",
+     "'min' is above 'max'"},
+    {"scale out of range", R"("metrics")", R"("difference": {"heat_scale": 0}, "metrics")",
+     "$.difference.heat_scale"},
+    {"cameras and random", R"("name": "two",)", R"("name": "two", "random": {"count": 1},)",
+     "$.scenes[1]: needs"},
+    {"view names without a script", R"([{"name": "a", "position": [1, 0, 0], "look_at": [0, 0, 0]}])",
+     R"(["a"])", "$.scenes[1].views[0]: must be an object"},
+    {"not JSON", R"("metrics")", R"(metrics)", "/jobs/job.json:11"},
+};
+INSTANTIATE_TEST_SUITE_P(All, JobFileError, ::testing::ValuesIn(kBadJobs));
+
+}  // namespace
+}  // namespace lightbench

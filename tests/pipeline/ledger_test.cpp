@@ -1,0 +1,112 @@
+#include "pipeline/ledger.h"
+
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/files.h"
+
+namespace lightbench {
+namespace {
+
+using ::testing::HasSubstr;
+
+LedgerEntry entry(const std::string& id, const std::string& key) {
+  LedgerEntry result;
+  result.id = id;
+  result.key = key;
+  result.key_parts = {{"view", "front"}};
+  result.ended = "2020-01-01T00:00:00Z";
+  result.result.seconds = 1.5;
+  result.result.outputs["a.png"] = "hash";
+  result.result.passes = {{"shadow map", 0.25}};
+  result.result.metrics["gain"] = MetricValue::of(12.5);
+  result.result.metrics["pearson"] = MetricValue::undefined("a constant image");
+  return result;
+}
+
+class LedgerFile : public ::testing::Test {
+ protected:
+  void append_raw(const std::string& text) { std::ofstream(file_, std::ios::app) << text; }
+
+  TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_.path() / "run" / "ledger.jsonl";
+};
+
+TEST_F(LedgerFile, KeepsWhatWasAppended) {
+  Ledger(file_, LedgerUse::append).append(entry("task", "key"));
+  const Ledger again(file_, LedgerUse::append);
+  const LedgerEntry& kept = again.last().at("task");
+  EXPECT_EQ(kept.key, "key");
+  EXPECT_EQ(kept.key_parts, (KeyParts{{"view", "front"}}));
+  EXPECT_EQ(kept.result.outputs.at("a.png"), "hash");
+  EXPECT_EQ(kept.result.passes.at(0).name, "shadow map");
+  EXPECT_EQ(kept.result.metrics.at("gain").value, 12.5);
+  EXPECT_EQ(kept.result.metrics.at("pearson").undefined_because, "a constant image");
+}
+
+TEST_F(LedgerFile, TheLastEntryOfATaskCounts) {
+  Ledger ledger(file_, LedgerUse::append);
+  ledger.append(entry("task", "old"));
+  ledger.append(entry("task", "new"));
+  EXPECT_EQ(ledger.last().at("task").key, "new");
+  EXPECT_EQ(ledger.last().size(), 1u);
+}
+
+TEST_F(LedgerFile, AFailureKeepsItsMessage) {
+  {
+    Ledger ledger(file_, LedgerUse::append);
+    LedgerEntry failed = entry("task", "key");
+    failed.outcome = Outcome::failed;
+    failed.error = "no \"light\"\nin the scene \xff";
+    ledger.append(failed);
+  }
+  const Ledger again(file_, LedgerUse::read);
+  EXPECT_EQ(again.last().at("task").outcome, Outcome::failed);
+  EXPECT_THAT(again.last().at("task").error, HasSubstr("no \"light\"\nin the scene"));
+}
+
+TEST_F(LedgerFile, ALineThatAKilledRunLeftUnfinishedIsDropped) {
+  Ledger(file_, LedgerUse::append).append(entry("one", "key"));
+  append_raw(R"({"v":1,"id":"tw)");
+  Ledger(file_, LedgerUse::append).append(entry("two", "key"));
+  const Ledger again(file_, LedgerUse::append);
+  EXPECT_EQ(again.last().size(), 2u);
+}
+
+TEST_F(LedgerFile, ALineThatIsNotOursIsAnErrorWithItsNumber) {
+  Ledger(file_, LedgerUse::append).append(entry("one", "key"));
+  append_raw("hello\n");
+  try {
+    const Ledger again(file_, LedgerUse::append);
+    FAIL() << "the line was taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.where(), file_.string() + ":2");
+  }
+}
+
+TEST_F(LedgerFile, ASecondRunIsKeptOut) {
+  const Ledger first(file_, LedgerUse::append);
+  EXPECT_THROW(Ledger(file_, LedgerUse::append), Error);
+}
+
+TEST_F(LedgerFile, LookingIsPossibleWhileARunGoesOn) {
+  Ledger first(file_, LedgerUse::append);
+  first.append(entry("one", "key"));
+  EXPECT_EQ(Ledger(file_, LedgerUse::read).last().size(), 1u);
+}
+
+TEST_F(LedgerFile, LookingMakesNoFile) {
+  EXPECT_TRUE(Ledger(file_, LedgerUse::read).last().empty());
+  EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
+TEST_F(LedgerFile, AFileInPlaceOfTheFolderIsAnError) {
+  write_file_atomic(folder_.path() / "run", "a file");
+  EXPECT_THROW(Ledger(file_, LedgerUse::append), Error);
+}
+
+}  // namespace
+}  // namespace lightbench

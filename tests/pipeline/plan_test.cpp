@@ -1,0 +1,184 @@
+#include "pipeline/plan.h"
+
+#include <set>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "job_fixture.h"
+#include "pipeline/plan_file.h"
+
+namespace lightbench {
+namespace {
+
+using test::concrete_job;
+using test::facts_for;
+using test::kJobText;
+using test::plan_of;
+using test::replaced;
+using test::task_called;
+using ::testing::Each;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
+
+/// Ids of the tasks whose key differs between two plans of the same tasks.
+std::set<std::string> changed_tasks(const Plan& before, const Plan& after) {
+  std::set<std::string> ids;
+  for (std::size_t i = 0; i < before.tasks.size(); ++i)
+    if (before.tasks[i].key != after.tasks[i].key) ids.insert(before.tasks[i].id);
+  return ids;
+}
+
+std::vector<std::string> dep_ids(const Plan& plan, const Task& task) {
+  std::vector<std::string> ids;
+  for (const std::size_t dep : task.deps) ids.push_back(plan.tasks[dep].id);
+  return ids;
+}
+
+TEST(Plan, HasATaskForEachStep) {
+  const Plan plan = plan_of(concrete_job());
+  std::map<TaskKind, int> counts;
+  for (const auto& task : plan.tasks) ++counts[task.kind];
+  EXPECT_EQ(counts[TaskKind::snapshot], 6);  // 3 views x 2 variants
+  EXPECT_EQ(counts[TaskKind::reference], 3);
+  EXPECT_EQ(counts[TaskKind::export_], 5);  // one for each view, one for each scene
+  EXPECT_EQ(counts[TaskKind::score], 6);
+}
+
+TEST(Plan, IdsAreUnique) {
+  std::set<std::string> ids;
+  const Plan plan = plan_of(concrete_job());
+  for (const auto& task : plan.tasks) EXPECT_TRUE(ids.insert(task.id).second) << task.id;
+}
+
+TEST(Plan, DependenciesStandBeforeThoseThatNeedThem) {
+  const Plan plan = plan_of(concrete_job());
+  for (std::size_t i = 0; i < plan.tasks.size(); ++i)
+    for (const std::size_t dep : plan.tasks[i].deps) EXPECT_LT(dep, i);
+}
+
+TEST(Plan, AScoreNeedsItsPicturesAndTheBaselines) {
+  const Plan plan = plan_of(concrete_job());
+  EXPECT_THAT(dep_ids(plan, task_called(plan, "score:one/a/other/truth")),
+              ElementsAre("snapshot:one/a/other", "reference:one/a/truth", "snapshot:one/a/direct"));
+  EXPECT_THAT(dep_ids(plan, task_called(plan, "score:one/a/direct/truth")),
+              ElementsAre("snapshot:one/a/direct", "reference:one/a/truth"));
+}
+
+TEST(Plan, AReferenceNeedsItsExports) {
+  const Plan plan = plan_of(concrete_job());
+  EXPECT_THAT(dep_ids(plan, task_called(plan, "reference:one/b/truth")),
+              ElementsAre("export:one/povray", "export:one/b/truth"));
+}
+
+TEST(Plan, OutputsStandInTheFolderOfTheirView) {
+  const Plan plan = plan_of(concrete_job());
+  EXPECT_THAT(task_called(plan, "snapshot:one/a/other").outputs,
+              ElementsAre("views/one/a/other.exr", "views/one/a/other.png"));
+  EXPECT_THAT(task_called(plan, "score:one/a/other/truth").outputs,
+              UnorderedElementsAre("views/one/a/other~truth.score.json", "views/one/a/other~truth.diff.png",
+                                   "views/one/a/other~truth.heat.png", "views/one/a/other~direct.diff.png"));
+}
+
+TEST(Plan, NoTwoTasksWriteOneFile) {
+  const auto text = replaced(kJobText, R"("metrics")", R"("buffers": ["albedo", "depth"], "metrics")");
+  const Plan plan = plan_of(concrete_job(text));
+  std::set<std::string> files;
+  for (const auto& task : plan.tasks)
+    for (const auto& file : task.outputs) EXPECT_TRUE(files.insert(file).second) << file;
+}
+
+TEST(Plan, NamesThatAreNoFileNamesAreEscaped) {
+  const Plan plan =
+      plan_of(concrete_job(replaced(kJobText, R"("name": "other")", R"("name": "../o ther~x")")));
+  for (const auto& task : plan.tasks) {
+    EXPECT_EQ(task.id.find(' '), std::string::npos) << task.id;
+    for (const auto& file : task.outputs) EXPECT_EQ(file.find("../"), std::string::npos) << file;
+  }
+}
+
+TEST(Plan, EqualInputGivesAnEqualPlan) {
+  EXPECT_EQ(plan_to_json(plan_of(concrete_job())), plan_to_json(plan_of(concrete_job())));
+}
+
+TEST(Plan, TheOutputFolderIsNoPartOfKeys) {
+  const Job job = concrete_job();
+  EXPECT_THAT(changed_tasks(plan_of(job), make_plan(job, facts_for(job), "/elsewhere")), IsEmpty());
+}
+
+TEST(PlanKey, AParameterChangesItsVariantAlone) {
+  const Plan before = plan_of(concrete_job());
+  const Plan after = plan_of(concrete_job(
+      replaced(kJobText, R"("technique": "ambient")", R"("technique": "ambient", "params": {"k": 0.1})")));
+  EXPECT_THAT(
+      changed_tasks(before, after),
+      UnorderedElementsAre("snapshot:one/a/other", "snapshot:one/b/other", "snapshot:two/a/other",
+                           "score:one/a/other/truth", "score:one/b/other/truth", "score:two/a/other/truth"));
+}
+
+TEST(PlanKey, AViewChangesItselfAlone) {
+  const Plan before = plan_of(concrete_job());
+  const Job job = concrete_job(replaced(kJobText, "[0, 0, 2]", "[0, 0, 3]"));
+  PlanFacts facts = facts_for(job);
+  facts.scenes[0].exports[0][1][1].second = "another camera";
+  EXPECT_THAT(
+      changed_tasks(before, make_plan(job, facts, "/out")),
+      UnorderedElementsAre("snapshot:one/b/direct", "snapshot:one/b/other", "export:one/b/truth",
+                           "reference:one/b/truth", "score:one/b/direct/truth", "score:one/b/other/truth"));
+}
+
+TEST(PlanKey, ASceneFileChangesItsSnapshotsButNoReferenceWhoseExportIsTheSame) {
+  const Job job = concrete_job();
+  PlanFacts facts = facts_for(job);
+  facts.scenes[1].files[0].second = "other bytes";
+  EXPECT_THAT(changed_tasks(plan_of(job), make_plan(job, facts, "/out")),
+              UnorderedElementsAre("snapshot:two/a/direct", "snapshot:two/a/other",
+                                   "score:two/a/direct/truth", "score:two/a/other/truth"));
+}
+
+TEST(PlanKey, TheRendererChangesSnapshotsAndTheirScores) {
+  const Job job = concrete_job();
+  PlanFacts facts = facts_for(job);
+  facts.renderer = "another renderer";
+  for (const auto& id : changed_tasks(plan_of(job), make_plan(job, facts, "/out")))
+    EXPECT_TRUE(id.starts_with("snapshot:") || id.starts_with("score:")) << id;
+}
+
+TEST(PlanKey, TheToolsVersionChangesReferencesAndScores) {
+  const Job job = concrete_job();
+  PlanFacts facts = facts_for(job);
+  facts.tools["povray"] = "POV-Ray 3.8";
+  const auto changed = changed_tasks(plan_of(job), make_plan(job, facts, "/out"));
+  EXPECT_EQ(changed.size(), 9u);
+  for (const auto& id : changed) EXPECT_TRUE(id.starts_with("reference:") || id.starts_with("score:")) << id;
+}
+
+TEST(PlanKey, MetricsChangeScoresAlone) {
+  const auto changed = changed_tasks(
+      plan_of(concrete_job()), plan_of(concrete_job(replaced(kJobText, R"("gain"])", R"("pearson"])"))));
+  EXPECT_EQ(changed.size(), 6u);
+  for (const auto& id : changed) EXPECT_TRUE(id.starts_with("score:")) << id;
+}
+
+TEST(Plan, ASceneThatCannotBeReadRefusesItsTasksAlone) {
+  const Job job = concrete_job();
+  PlanFacts facts = facts_for(job);
+  facts.scenes[1] = SceneFacts();
+  facts.scenes[1].error = "two.obj:3: nonsense";
+  const Plan plan = make_plan(job, facts, "/out");
+  for (const auto& task : plan.tasks)
+    EXPECT_EQ(task.refused, task.scene == 1 ? "two.obj:3: nonsense" : "") << task.id;
+}
+
+TEST(Plan, AVariantThatCannotShowASceneSaysWhy) {
+  const Job job = concrete_job();
+  PlanFacts facts = facts_for(job);
+  facts.scenes[0].unsupported = {{}, {"area lights", "water"}};
+  const Plan plan = make_plan(job, facts, "/out");
+  EXPECT_EQ(task_called(plan, "snapshot:one/a/other").refused, "area lights; water");
+  EXPECT_EQ(task_called(plan, "snapshot:one/a/direct").refused, "");
+}
+
+}  // namespace
+}  // namespace lightbench
