@@ -41,6 +41,13 @@ std::string view_text(const Camera& camera) {
                      vec_text(camera.look_at), vec_text(camera.up), camera.fov);
 }
 
+/// A name within a file name whose parts are kept apart by '~'.
+std::string file_name_part(const std::string& name) {
+  std::string result;
+  for (const char c : escape_file_name(name)) result += c == '~' ? std::string("%7E") : std::string(1, c);
+  return result;
+}
+
 class Planner {
  public:
   Planner(const Job& job, const PlanFacts& facts, const std::filesystem::path& out) : facts_(facts) {
@@ -259,17 +266,17 @@ std::string view_folder(const Job& job, int scene, int view) {
 }
 
 std::string image_stem(const Job& job, int scene, int view, const std::string& source) {
-  return view_folder(job, scene, view) + "/" + escape_file_name(source);
+  return view_folder(job, scene, view) + "/" + file_name_part(source);
 }
 
 std::string score_stem(const Job& job, int scene, int view, const std::string& variant,
                        const std::string& other) {
-  return image_stem(job, scene, view, variant) + "~" + escape_file_name(other);
+  return image_stem(job, scene, view, variant) + "~" + file_name_part(other);
 }
 
 std::string buffer_stem(const Job& job, int scene, int view, const std::string& variant,
                         const std::string& buffer) {
-  return image_stem(job, scene, view, variant) + "~~" + escape_file_name(buffer);
+  return image_stem(job, scene, view, variant) + "~~" + file_name_part(buffer);
 }
 
 std::string shared_export_folder(const Job& job, int scene, const std::string& kind) {

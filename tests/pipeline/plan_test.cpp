@@ -82,7 +82,11 @@ TEST(Plan, OutputsStandInTheFolderOfTheirView) {
 }
 
 TEST(Plan, NoTwoTasksWriteOneFile) {
-  const auto text = replaced(kJobText, R"("metrics")", R"("buffers": ["albedo", "depth"], "metrics")");
+  auto text = replaced(kJobText, R"("metrics")", R"("buffers": ["albedo", "depth"], "metrics")");
+  text = replaced(text, R"("variants": [)",
+                  R"("variants": [{"name": "other~truth.diff", "technique": "ambient"},
+                                  {"name": "other~~albedo", "technique": "ambient"},
+                                  {"name": "other%7Etruth", "technique": "ambient"},)");
   const Plan plan = plan_of(concrete_job(text));
   std::set<std::string> files;
   for (const auto& task : plan.tasks)
