@@ -24,6 +24,9 @@ constexpr std::array kShadowModes{
     ShadowModeRow{ShadowMode::esm, "esm", "SHADOW_ESM"},
 };
 
+// Pixels along the edge of the blocks that one invocation sums up.
+constexpr int kSummedBlock = 32;
+
 const ShadowModeRow& row(ShadowMode mode) {
   for (const ShadowModeRow& candidate : kShadowModes)
     if (candidate.mode == mode) return candidate;
@@ -199,17 +202,19 @@ DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const
   return result;
 }
 
-glm::vec3 mean_irradiance(const GBuffer& gbuffer, const GlTexture& irradiance) {
-  const Image depths = read_back(gbuffer.depth, 1);
-  const Image values = read_back(irradiance, 3);
-  glm::dvec3 sum(0.0);
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < depths.data.size(); ++i) {
-    if (depths.data[i] <= 0) continue;
-    sum += glm::dvec3(values.data[3 * i], values.data[3 * i + 1], values.data[3 * i + 2]);
-    ++count;
-  }
-  return count == 0 ? glm::vec3(0) : glm::vec3(sum / double(count));
+glm::vec3 mean_irradiance(FrameContext& frame, const GBuffer& gbuffer, const GlTexture& irradiance) {
+  const auto blocks_along = [](int pixels) { return (pixels + kSummedBlock - 1) / kSummedBlock; };
+  const GlTexture blocks(TexelFormat::rgba32f, blocks_along(gbuffer.width), blocks_along(gbuffer.height));
+  const Program& program = frame.fullscreen_program("shaders/irradiance_sum.frag.glsl");
+  program.set("block_size", kSummedBlock);
+  gbuffer.bind();
+  irradiance.bind(8);
+  frame.draw_fullscreen(Framebuffer({&blocks}), program);
+  glm::dvec4 sum(0.0);
+  const Image sums = read_back(blocks, 4);
+  for (std::size_t i = 0; i < sums.data.size(); i += 4)
+    sum += glm::dvec4(sums.data[i], sums.data[i + 1], sums.data[i + 2], sums.data[i + 3]);
+  return sum.w == 0 ? glm::vec3(0) : glm::vec3(glm::dvec3(sum) / sum.w);
 }
 
 }  // namespace lightbench

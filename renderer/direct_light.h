@@ -63,6 +63,6 @@ DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const
                               const DirectLightOutputs& outputs = {});
 
 /// Mean of the irradiance over the pixels that show an object; 0 where there is none.
-glm::vec3 mean_irradiance(const GBuffer& gbuffer, const GlTexture& irradiance);
+glm::vec3 mean_irradiance(FrameContext& frame, const GBuffer& gbuffer, const GlTexture& irradiance);
 
 }  // namespace lightbench

@@ -163,8 +163,9 @@ const GlTexture& draw_shadow_map(FrameContext& frame, const GBuffer& gbuffer, co
   unfitted.bind_uniform(1);
   Seen seen = measure_seen(frame, gbuffer, projection, views);
   if (projection == ShadowProjection::perspective) clip_to_cone(seen.views[0], light);
+  const float least = 1e-5f * (projection == ShadowProjection::orthographic ? block.shadow_origin.w : 1.0f);
   for (int view = 0; view < views; ++view)
-    fit_view(block.views[std::size_t(view)], seen.views[std::size_t(view)], size, map_margin(options));
+    fit_view(block.views[std::size_t(view)], seen.views[std::size_t(view)], least, size, map_margin(options));
   block.shadow_extent.z = exponential_range(seen, projection);
   const Buffer fitted(&block, sizeof block);
   fitted.bind_uniform(1);

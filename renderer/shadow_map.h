@@ -57,8 +57,9 @@ struct ViewExtent {
   glm::vec2 max{-1e30f};
   bool empty() const { return min.x > max.x || min.y > max.y; }
 };
-/// Narrows a view to an extent, with a margin of some of its `size` texels around it.
-void fit_view(LightBlock::View& view, const ViewExtent& extent, int size, int margin);
+/// Narrows a view to an extent, but to no less than `least` to each side, with a margin of some of its `size`
+/// texels.
+void fit_view(LightBlock::View& view, const ViewExtent& extent, float least, int size, int margin);
 
 /// From world space to the clip space of a view, of reversed depth: 1 nearest to the light.
 glm::dmat4 shadow_clip_matrix(const LightBlock& block, int view, ShadowProjection projection);

@@ -110,15 +110,15 @@ void slice_depths(LightBlock& block, float nearest, float farthest, int count) {
   block.shadow_slices = glm::vec4(std::log2(nearest), per_doubling, float(count - 1), 0);
 }
 
-void fit_view(LightBlock::View& view, const ViewExtent& extent, int size, int margin) {
+void fit_view(LightBlock::View& view, const ViewExtent& extent, float least, int size, int margin) {
   if (extent.empty()) {
     view.forward.w = 0;
     return;
   }
   const glm::vec2 center = 0.5f * (extent.min + extent.max);
-  const float least = 1e-5f * std::max({1.0f, std::abs(center.x), std::abs(center.y)});
   const float spare = float(size) / float(size - 2 * margin);
-  const glm::vec2 half = glm::max(0.5f * (extent.max - extent.min), glm::vec2(least)) * spare;
+  const glm::vec2 half =
+      glm::max(0.5f * (extent.max - extent.min), glm::vec2(least) + 1e-6f * glm::abs(center)) * spare;
   view.right = glm::vec4(glm::vec3(view.right) / half.x, center.x / half.x);
   view.up = glm::vec4(glm::vec3(view.up) / half.y, center.y / half.y);
 }

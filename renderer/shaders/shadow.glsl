@@ -51,8 +51,9 @@ PlaneDepth plane_depth(Receiver r) {
   vec3 right = v.right.xyz / dot(v.right.xyz, v.right.xyz);
   vec3 up = v.up.xyz / dot(v.up.xyz, v.up.xyz);
   float texel = 2.0 * shadow_extent.y * max(length(right), length(up));
-  // What rounding may have moved the receiver off its plane, by its distances from the camera and from the light.
-  float rounding = 1e-6 * (distance(r.d + shadow_origin.xyz, camera_position.xyz) + length(r.d));
+  // What rounding may have moved the receiver off its plane, by its distances from the camera, the light and the origin.
+  vec3 position = r.d + shadow_origin.xyz;
+  float rounding = 1e-6 * (distance(position, camera_position.xyz) + length(r.d)) + 2e-7 * length(position);
   vec2 across = vec2(dot(r.normal, right), dot(r.normal, up));
   PlaneDepth plane;
 #ifdef SHADOW_ORTHOGRAPHIC

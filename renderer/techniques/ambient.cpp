@@ -17,7 +17,7 @@ void render(FrameContext& frame, const ParamValues& params) {
   keep_direct_buffers(frame, gbuffer, direct);
   frame.pass("ambient", [&] {
     const Program& program = frame.fullscreen_program(kShader, gbuffer_defines(gbuffer));
-    program.set("ambient", float(params.number("k")) * mean_irradiance(gbuffer, direct.irradiance));
+    program.set("ambient", float(params.number("k")) * mean_irradiance(frame, gbuffer, direct.irradiance));
     gbuffer.bind();
     frame.draw_fullscreen(Framebuffer({&direct.lit}, &gbuffer.depth_stencil), program, Blend::add,
                           DrawOn::objects);
@@ -44,7 +44,7 @@ Technique ambient_technique() {
   technique.presets = {};
   technique.buffers = direct_buffers();
   technique.shaders = direct_shaders();
-  technique.shaders.emplace_back(kShader);
+  technique.shaders.insert(technique.shaders.end(), {kShader, "shaders/irradiance_sum.frag.glsl"});
   technique.bounces = 1;
   technique.unsupported = direct_light_unsupported;
   technique.render = render;

@@ -169,7 +169,7 @@ TEST(ShadowViews, AFittedViewSpansTheExtentWithItsMargin) {
   ViewExtent extent;
   extent.min = {-0.5f, 0.25f};
   extent.max = {0.0f, 0.75f};
-  fit_view(block.views[0], extent, 100, 10);
+  fit_view(block.views[0], extent, 1e-5f, 100, 10);
   const glm::dmat4 clip = shadow_clip_matrix(block, 0, ShadowProjection::cube);
   // Face +x: right is -z, up is y. The extent's corner at distance 2.
   const glm::dvec4 corner = clip * glm::dvec4(1 + 2, 2 + 2 * 0.25, 3 + 2 * 0.5, 1);
@@ -179,7 +179,7 @@ TEST(ShadowViews, AFittedViewSpansTheExtentWithItsMargin) {
 
 TEST(ShadowViews, AnUnseenViewIsMarked) {
   LightBlock block = light_block(point_light({0, 0, 0}), 1);
-  fit_view(block.views[2], ViewExtent{}, 100, 2);
+  fit_view(block.views[2], ViewExtent{}, 1e-5f, 100, 2);
   EXPECT_EQ(block.views[2].forward.w, 0.0f);
 }
 
