@@ -110,6 +110,39 @@ TEST(GlRenderer, AChangedSceneAtTheSameAddressIsSeen) {
   EXPECT_EQ(render_direct(fresh, scene, request).image, after);
 }
 
+// The scene and view with all lengths multiplied and everything moved.
+std::pair<Scene, View> placed(Scene scene, View view, float scale, const glm::vec3& offset) {
+  const auto place = [&](glm::vec3& p) { p = p * scale + offset; };
+  for (Mesh& mesh : scene.meshes)
+    for (glm::vec3& p : mesh.positions) place(p);
+  for (Light& light : scene.lights) place(light.position);
+  place(view.camera.position);
+  place(view.camera.look_at);
+  return {scene, view};
+}
+
+int different_pixels(const Image& a, const Image& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.data.size(); i += 4) count += std::abs(a.data[i] - b.data[i]) > 0.002f;
+  return count;
+}
+
+TEST(GlRenderer, TheUnitOfLengthDoesNotMatter) {
+  const Image expected = render(small_scene(), top_view(3)).image;
+  for (const float scale : {1e-4f, 1e-2f, 1e3f, 1e5f}) {
+    const auto [scene, view] = placed(small_scene(), top_view(3), scale, {});
+    // Rounding may move an edge over a pixel's or a texel's centre.
+    EXPECT_LE(different_pixels(render(scene, view).image, expected), 12) << scale;
+  }
+}
+
+TEST(GlRenderer, FarFromTheOriginOnlyEdgesSuffer) {
+  const Image expected = render(small_scene(), top_view(3)).image;
+  const auto [scene, view] = placed(small_scene(), top_view(3), 1, {3000, 500, -2000});
+  // There floats are 2e-4 apart, a fiftieth of a pixel.
+  EXPECT_LE(different_pixels(render(scene, view).image, expected), 40);
+}
+
 TEST(GlRenderer, PassesAreNamedAndTimed) {
   const FrameResult result = render(small_scene(), top_view(3));
   std::vector<std::string> names;
