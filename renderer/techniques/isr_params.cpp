@@ -25,11 +25,12 @@ ParamSpec boolean(std::string name, bool value, std::string doc) {
   return {std::move(name), ParamType::boolean, value, 0, 0, {}, std::move(doc)};
 }
 
-/// The thesis's equations and constants.
+/// The thesis's equations and constants; it does not say where the samples lie.
 Values paper_values() {
-  return {{"weighting", "paper"},  {"source", "albedo"}, {"pattern", "grid"}, {"rotation", "none"},
-          {"blur", "gaussian"},    {"k_isr", 0.5},       {"k_ssao", 0.5},     {"normals", "rgb8"},
-          {"energy_bound", false}, {"background", false}};
+  return {{"weighting", "paper"}, {"source", "albedo"},       {"radius", 0.5},
+          {"spread", 0.5},        {"form_factor_limit", 1e6}, {"energy_bound", false},
+          {"background", false},  {"blur", "gaussian"},       {"k_isr", 0.5},
+          {"k_ssao", 0.5},        {"normals", "rgb8"}};
 }
 
 Values with(Values values, const Values& more) {
@@ -73,7 +74,8 @@ std::vector<ParamSpec> isr_params() {
              "cos cos dA / (pi r^2), which has no bias; or cos cos dA / (pi r^2 + dA), which has no peaks "
              "but loses "
              "light with few samples"),
-      number("form_factor_limit", 1.0, 0.001, 1e6, "largest form factor of one sample"),
+      number("form_factor_limit", 4.0, 0.001, 1e6,
+             "largest form factor of one sample: bounds peaks; 1 and less cost light where samples are few"),
       boolean("energy_bound", true,
               "where the form factors around a pixel add up to more than 1 after the blur, scale them to 1"),
       number("min_view_cosine", 0.05, 0.001, 1.0,

@@ -29,7 +29,8 @@ class Images : public ::testing::Test {
     const Technique technique = images_technique();
     const ParamValues params = resolve_params(technique.params, technique.presets, "",
                                               {{"pattern", (folder_.path() / pattern).string()}}, "test");
-    const FrameRequest request{.scene = scene_, .view = view_, .width = 3, .height = 2};
+    const FrameRequest request{
+        .scene = scene_, .view = view_, .width = 3, .height = 2, .samples = 1, .buffers = {}};
     FrameContext frame(request, nullptr, nullptr);
     technique.render(frame, params);
     return frame.result().image;

@@ -11,6 +11,9 @@ layout(binding = 8) uniform sampler2D coarse_normals;
 
 const float kNoPatch = -1.0;
 
+// The pixel of a block, counted from its first one, that stands for it where it shows an object.
+ivec2 middle_of(int block) { return ivec2((block - 1) / 2); }
+
 // Two times 12 bits are a whole number that a float holds exactly; so are the axes.
 float pack_normal(vec3 n) {
   n /= abs(n.x) + abs(n.y) + abs(n.z);

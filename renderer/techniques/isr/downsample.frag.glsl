@@ -1,5 +1,5 @@
 // Reduces blocks of pixels to patches: radiance is averaged over the pixels that show an object, position and normals
-// are those of the block's first such pixel, since a mean would lie on no surface.
+// are those of one such pixel nearest the block's middle, since a mean would lie on no surface.
 #include "shaders/gbuffer.glsl"
 #include "techniques/isr/coarse.glsl"
 
@@ -28,14 +28,21 @@ vec3 radiance(ivec2 pixel) {
 void main() {
   ivec2 origin = ivec2(gl_FragCoord.xy) * block;
   ivec2 end = min(origin + block, ivec2(frame_size.xy));
-  ivec2 first = ivec2(-1);
+  ivec2 middle = origin + middle_of(block);
+  ivec2 chosen = ivec2(-1);
+  int nearest = 1 << 20;
   vec3 sum = vec3(0.0);
   float count = 0.0;
   for (int y = origin.y; y < end.y; ++y) {
     for (int x = origin.x; x < end.x; ++x) {
       ivec2 pixel = ivec2(x, y);
       if (gbuffer_z(pixel) <= 0.0) continue;
-      if (count == 0.0) first = pixel;
+      ivec2 off = pixel - middle;
+      int distance2 = off.x * off.x + off.y * off.y;
+      if (distance2 < nearest) {
+        nearest = distance2;
+        chosen = pixel;
+      }
       sum += radiance(pixel);
       count += 1.0;
     }
@@ -45,16 +52,16 @@ void main() {
   normal_out = vec2(0.5);
   if (count == 0.0) return;
 
-  vec2 uv = (vec2(first) + 0.5) * frame_size.zw;
-  vec3 position = unit_ray(uv) * (gbuffer_z(first) * camera_position.w);
-  vec3 shading_normal = gbuffer_normal(first);
+  vec2 uv = (vec2(chosen) + 0.5) * frame_size.zw;
+  vec3 position = unit_ray(uv) * (gbuffer_z(chosen) * camera_position.w);
+  vec3 shading_normal = gbuffer_normal(chosen);
   normal_out = encode_octahedral(shading_normal);
 #ifdef WEIGHTING_PAPER
   vec3 normal = shading_normal;
-  float factor = texelFetch(gbuffer_albedo, first, 0).a;  // the radiation mask
+  float factor = texelFetch(gbuffer_albedo, chosen, 0).a;  // the radiation mask
 #else
   // By how much the surface seen through the block is larger than the block at its depth.
-  vec3 normal = gbuffer_geometric_normal(first);
+  vec3 normal = gbuffer_geometric_normal(chosen);
   float view_cosine = max(-dot(normal, position) / eye_z(position), min_view_cosine);
   float factor = count / (float(block * block) * view_cosine);
 #endif

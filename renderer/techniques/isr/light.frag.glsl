@@ -35,11 +35,12 @@ Coarse fetch_coarse(ivec2 at) {
   return result;
 }
 
-// Patches stand for the first pixel of their block. Depths are compared along the pixel's tangent plane, so that a slanted
+// Patches stand for the pixel in the middle of their block. Depths are compared along the pixel's tangent plane, so that a slanted
 // surface fits itself.
 Coarse upsample(ivec2 pixel, float z) {
-  ivec2 base = pixel / block;
-  vec2 f = vec2(pixel - base * block) / float(block);
+  ivec2 from_middle = pixel - middle_of(block);
+  ivec2 base = ivec2(floor(vec2(from_middle) / float(block)));
+  vec2 f = vec2(from_middle - base * block) / float(block);
   vec2 uv = (vec2(pixel) + 0.5) * frame_size.zw;
   vec3 normal = gbuffer_geometric_normal(pixel);
   float here = dot(normal, unit_ray(uv));
@@ -48,13 +49,13 @@ Coarse upsample(ivec2 pixel, float z) {
   Coarse sum = Coarse(vec4(0.0), 0.0);
   float weights = 0.0;
   float nearest = 1e30;
-  ivec2 nearest_at = base;
+  ivec2 nearest_at = pixel / block;
   for (int i = 0; i < 4; ++i) {
     ivec2 corner = ivec2(i & 1, i >> 1);
-    ivec2 at = min(base + corner, coarse_size - 1);
+    ivec2 at = clamp(base + corner, ivec2(0), coarse_size - 1);
     vec4 other = texelFetch(coarse_patches, at, 0);
     if (other.w == kNoPatch) continue;
-    vec2 off = vec2(at * block - pixel) * frame_size.zw;
+    vec2 off = vec2(at * block - from_middle) * frame_size.zw;
     float there = here + dot(off, slope);
     // Where the plane is nearly seen from its edge it says nothing about depth.
     float expected = there * here > 0.01 * here * here ? clamp(here / there, 0.5, 2.0) : 1.0;

@@ -11,15 +11,16 @@ void main() {
   ivec2 end = min(origin + block, textureSize(coarse_patches, 0));
   patch_out = vec4(0.0, 0.0, 0.0, kNoPatch);
   vec4 sum = vec4(0.0);
-  vec2 middle = vec2(origin) + 0.5 * float(block - 1);
-  float nearest = 1e30;
+  ivec2 middle = origin + middle_of(block);
+  int nearest = 1 << 20;
   for (int y = origin.y; y < end.y; ++y) {
     for (int x = origin.x; x < end.x; ++x) {
       vec4 other = texelFetch(coarse_patches, ivec2(x, y), 0);
       if (other.w == kNoPatch) continue;
-      vec2 off = vec2(x, y) - middle;
-      if (dot(off, off) < nearest) {
-        nearest = dot(off, off);
+      ivec2 off = ivec2(x, y) - middle;
+      int distance2 = off.x * off.x + off.y * off.y;
+      if (distance2 < nearest) {
+        nearest = distance2;
         patch_out = other;
       }
       vec4 radiance = texelFetch(coarse_radiance, ivec2(x, y), 0);

@@ -1,0 +1,62 @@
+#include "renderer/techniques/isr_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+namespace lightbench {
+namespace {
+
+TEST(IsrKernel, SharesOfASpiralAddUpToItsDisc) {
+  for (const float spread : {0.5f, 1.0f, 1.5f}) {
+    double sum = 0;
+    for (const KernelSample& sample : spiral_kernel(48, 100, spread)) sum += sample.area;
+    EXPECT_NEAR(sum, std::numbers::pi * 100 * 100, 1) << "float rounding of 48 shares";
+  }
+}
+
+TEST(IsrKernel, ASpiralOfSpreadOneHalfIsUniform) {
+  const auto kernel = spiral_kernel(24, 50, 0.5f);
+  for (const KernelSample& sample : kernel) EXPECT_NEAR(sample.area, kernel[0].area, 1e-2f);
+}
+
+TEST(IsrKernel, SamplesLieInsideTheRingThatTheyStandFor) {
+  const auto kernel = spiral_kernel(80, 100, 1.5f);
+  double inside = 0;
+  for (const KernelSample& sample : kernel) {
+    const double r = glm::length(sample.offset);
+    const double disc = std::numbers::pi * r * r;
+    EXPECT_GT(disc, inside);
+    inside += sample.area;
+    EXPECT_LT(disc, inside);
+  }
+}
+
+TEST(IsrKernel, AGreaterSpreadCrowdsSamplesAtTheCentre) {
+  EXPECT_LT(glm::length(spiral_kernel(48, 100, 1.5f)[24].offset),
+            glm::length(spiral_kernel(48, 100, 0.5f)[24].offset));
+}
+
+TEST(IsrKernel, AGridIsTheSquareWithoutItsCentre) {
+  std::set<std::pair<float, float>> cells;
+  for (const KernelSample& sample : grid_kernel(48, 2.0f)) {
+    cells.emplace(sample.offset.x, sample.offset.y);
+    EXPECT_EQ(sample.area, 4.0f);
+    EXPECT_LE(std::max(std::abs(sample.offset.x), std::abs(sample.offset.y)), 6.0f);
+  }
+  EXPECT_EQ(cells.size(), 48u);
+  EXPECT_FALSE(cells.contains({0.0f, 0.0f}));
+}
+
+TEST(IsrKernel, KnowsTheCountsThatFillAGrid) {
+  for (const int count : {8, 24, 48, 80, 120}) EXPECT_TRUE(fills_grid(count)) << count;
+  for (const int count : {1, 3, 15, 47, 49}) EXPECT_FALSE(fills_grid(count)) << count;
+}
+
+}  // namespace
+}  // namespace lightbench
