@@ -8,6 +8,7 @@
 #include "renderer/direct_light.h"
 #include "renderer/frame_camera.h"
 #include "renderer/gbuffer.h"
+#include "renderer/gl_framebuffer.h"
 #include "renderer/gl_program.h"
 #include "renderer/technique.h"
 

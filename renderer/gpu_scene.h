@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/gbuffer.h"
+#include "renderer/gl_framebuffer.h"
 #include "renderer/gl_objects.h"
 #include "renderer/gl_program.h"
 #include "scene/scene.h"

@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "renderer/direct_light.h"
+#include "renderer/gl_framebuffer.h"
 #include "renderer/gl_objects.h"
 #include "renderer/gl_program.h"
 
