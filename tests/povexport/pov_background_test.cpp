@@ -18,6 +18,14 @@ TEST(PovrayBackground, IsGatheredByRadiosity) {
   EXPECT_NEAR(image.pixel(16, 16)[2], 0.15f, 0.003f);
 }
 
+TEST(PovrayBackground, LightsDarkSurfacesToo) {
+  Scene scene = open_scene(true);
+  scene.materials[0].diffuse = {0.004f, 0, 0.02f};
+  const Image image = render(scene, facing_camera(2), {});
+  EXPECT_NEAR(image.pixel(16, 16)[0], 0.0024f, 0.0001f);
+  EXPECT_NEAR(image.pixel(16, 16)[2], 0.006f, 0.0001f);
+}
+
 TEST(PovrayBackground, MayBeShutOutOfTheLight) {
   const Image image = render(open_scene(false), facing_camera(2), {});
   EXPECT_EQ(image.pixel(16, 16)[0], 0);
