@@ -18,6 +18,7 @@ namespace {
 constexpr unsigned kPatchUnit = 6;  // of techniques/isr/*.glsl
 constexpr unsigned kRadianceUnit = 7;
 constexpr unsigned kNormalUnit = 8;
+constexpr unsigned kDepthUnit = 8;
 constexpr unsigned kIndirectUnit = 9;
 constexpr unsigned kLightUnit = 9;
 constexpr unsigned kOpennessUnit = 10;
@@ -34,6 +35,7 @@ struct CoarseScene {
   GlTexture patches;
   GlTexture radiance;
   GlTexture normals;
+  GlTexture depths;
   GlTexture far_patches;  ///< in larger blocks; empty where far_block is 1
   GlTexture far_radiance;
 };
@@ -101,7 +103,8 @@ CoarseScene downsample(const Isr& isr) {
   coarse.patches = coarse_texture(isr, TexelFormat::rgba32f);
   coarse.radiance = coarse_texture(isr, TexelFormat::rgba16f);
   coarse.normals = coarse_texture(isr, TexelFormat::rg16);
-  const Framebuffer target({&coarse.patches, &coarse.radiance, &coarse.normals});
+  coarse.depths = coarse_texture(isr, TexelFormat::r32f);
+  const Framebuffer target({&coarse.patches, &coarse.radiance, &coarse.normals, &coarse.depths});
   const Program& program = isr.program("downsample");
   program.set("block", isr.block());
   program.set("min_view_cosine", isr.number("min_view_cosine"));
@@ -228,7 +231,7 @@ void compose(const Isr& isr, const CoarseScene& coarse, const CoarseLight& light
     program.set("k_isr", isr.number("k_isr"));
     program.set("k_ssao", isr.number("k_ssao"));
     isr.gbuffer.bind();
-    coarse.patches.bind(kPatchUnit);
+    coarse.depths.bind(kDepthUnit);
     bind(light);
     isr.direct.lit.bind(kLitUnit);
     isr.frame.draw_fullscreen(target, program);

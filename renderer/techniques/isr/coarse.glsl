@@ -6,9 +6,6 @@
 layout(binding = 6) uniform sampler2D coarse_patches;
 // Radiance that leaves the patch; alpha: the patch's own factor (see downsample.frag.glsl).
 layout(binding = 7) uniform sampler2D coarse_radiance;
-// Shading normal, octahedral.
-layout(binding = 8) uniform sampler2D coarse_normals;
-
 const float kNoPatch = -1.0;
 
 // The pixel of a block, counted from its first one, that stands for it where it shows an object.

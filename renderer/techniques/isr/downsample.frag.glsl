@@ -11,6 +11,7 @@ uniform float min_view_cosine;
 layout(location = 0) out vec4 patch_out;
 layout(location = 1) out vec4 radiance_out;
 layout(location = 2) out vec2 normal_out;
+layout(location = 3) out float depth_out;
 
 const float kLargestHalf = 65504.0;
 
@@ -50,10 +51,12 @@ void main() {
   patch_out = vec4(0.0, 0.0, 0.0, kNoPatch);
   radiance_out = vec4(0.0);
   normal_out = vec2(0.5);
+  depth_out = 0.0;
   if (count == 0.0) return;
 
   vec2 uv = (vec2(chosen) + 0.5) * frame_size.zw;
-  vec3 position = unit_ray(uv) * (gbuffer_z(chosen) * camera_position.w);
+  depth_out = gbuffer_z(chosen) * camera_position.w;
+  vec3 position = unit_ray(uv) * depth_out;
   vec3 shading_normal = gbuffer_normal(chosen);
   normal_out = encode_octahedral(shading_normal);
 #ifdef WEIGHTING_PAPER

@@ -7,6 +7,7 @@ const int kMaxSamples = 1024;  // also in isr_kernel.h
 // distance 1, divided by pi.
 layout(std140, binding = 1) uniform Kernel { vec4 kernel[kMaxSamples]; };
 
+layout(binding = 8) uniform sampler2D coarse_normals;  // shading normals, octahedral
 // The same picture in larger blocks, for samples that stand for more than a block: it stays in the cache.
 layout(binding = 9) uniform sampler2D far_patches;
 layout(binding = 10) uniform sampler2D far_radiance;

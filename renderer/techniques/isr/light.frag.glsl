@@ -2,6 +2,7 @@
 #include "shaders/gbuffer.glsl"
 #include "techniques/isr/coarse.glsl"
 
+layout(binding = 8) uniform sampler2D coarse_depths;  // eye-space z of the patches, 0 where there is none
 layout(binding = 9) uniform sampler2D indirect_in;
 layout(binding = 10) uniform sampler2D openness_in;
 layout(binding = 11) uniform sampler2D lit;
@@ -19,61 +20,44 @@ layout(location = 1) out vec4 indirect_out;
 layout(location = 2) out float openness_out;
 #endif
 
-struct Coarse {
-  vec4 indirect;
-  float openness;
-};
-
-Coarse fetch_coarse(ivec2 at) {
-  Coarse result;
-  result.indirect = texelFetch(indirect_in, at, 0);
-#ifdef OCCLUSION
-  result.openness = texelFetch(openness_in, at, 0).r;
-#else
-  result.openness = 1.0;
-#endif
-  return result;
-}
-
-// Patches stand for the pixel in the middle of their block. Depths are compared along the pixel's tangent plane, so that a slanted
-// surface fits itself.
-Coarse upsample(ivec2 pixel, float z) {
+// Light and openness at a pixel from the four patches around it, which stand for the pixel in the middle of their block.
+// Depths are compared along the pixel's tangent plane, so that a slanted surface fits itself.
+void upsample(ivec2 pixel, float z, out vec4 indirect, out float openness) {
   ivec2 from_middle = pixel - middle_of(block);
   ivec2 base = ivec2(floor(vec2(from_middle) / float(block)));
   vec2 f = vec2(from_middle - base * block) / float(block);
-  vec2 uv = (vec2(pixel) + 0.5) * frame_size.zw;
-  vec3 normal = gbuffer_geometric_normal(pixel);
-  float here = dot(normal, unit_ray(uv));
-  vec2 slope = vec2(dot(normal, far_u.xyz), dot(normal, far_v.xyz)) / camera_position.w;
+  // In the order of textureGather.
+  const vec4 corner_x = vec4(0.0, 1.0, 1.0, 0.0);
+  const vec4 corner_y = vec4(1.0, 1.0, 0.0, 0.0);
+  vec4 depths = textureGather(coarse_depths, vec2(base + 1) / vec2(coarse_size));
 
-  Coarse sum = Coarse(vec4(0.0), 0.0);
-  float weights = 0.0;
-  float nearest = 1e30;
-  ivec2 nearest_at = pixel / block;
-  for (int i = 0; i < 4; ++i) {
-    ivec2 corner = ivec2(i & 1, i >> 1);
-    ivec2 at = clamp(base + corner, ivec2(0), coarse_size - 1);
-    vec4 other = texelFetch(coarse_patches, at, 0);
-    if (other.w == kNoPatch) continue;
-    vec2 off = vec2(at * block - from_middle) * frame_size.zw;
-    float there = here + dot(off, slope);
-    // Where the plane is nearly seen from its edge it says nothing about depth.
-    float expected = there * here > 0.01 * here * here ? clamp(here / there, 0.5, 2.0) : 1.0;
-    float difference = abs(eye_z(other.xyz) / z - expected);
-    if (difference < nearest) {
-      nearest = difference;
-      nearest_at = at;
-    }
-    if (difference > depth_tolerance) continue;
-    vec2 b = mix(1.0 - f, f, vec2(corner));
-    float weight = b.x * b.y / (depth_epsilon + difference);
-    Coarse c = fetch_coarse(at);
-    sum.indirect += weight * c.indirect;
-    sum.openness += weight * c.openness;
-    weights += weight;
+  vec3 normal = gbuffer_geometric_normal(pixel);
+  float here = dot(normal, unit_ray((vec2(pixel) + 0.5) * frame_size.zw));
+  vec2 slope = vec2(dot(normal, far_u.xyz), dot(normal, far_v.xyz)) * frame_size.zw * float(block) / camera_position.w;
+  vec4 there = here + (corner_x - f.x) * slope.x + (corner_y - f.y) * slope.y;
+  // Where the plane is nearly seen from its edge it says nothing about depth.
+  vec4 expected = mix(vec4(1.0), clamp(here / there, 0.5, 2.0), greaterThan(there * here, vec4(0.01 * here * here)));
+  vec4 difference = mix(vec4(1e30), abs(depths / z - expected), greaterThan(depths, vec4(0.0)));
+
+  vec4 bilinear = mix(vec4(1.0 - f.x), vec4(f.x), corner_x) * mix(vec4(1.0 - f.y), vec4(f.y), corner_y);
+  vec4 weight = bilinear / (depth_epsilon + difference) * vec4(lessThanEqual(difference, vec4(depth_tolerance)));
+  if (dot(weight, vec4(1.0)) <= 0.0) {
+    float nearest = min(min(difference.x, difference.y), min(difference.z, difference.w));
+    weight = vec4(lessThanEqual(difference, vec4(nearest)));
   }
-  if (weights <= 0.0) return fetch_coarse(nearest_at);
-  return Coarse(sum.indirect / weights, sum.openness / weights);
+  weight /= dot(weight, vec4(1.0));
+
+  indirect = vec4(0.0);
+  openness = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 at = clamp(base + ivec2(corner_x[i], corner_y[i]), ivec2(0), coarse_size - 1);
+    indirect += weight[i] * texelFetch(indirect_in, at, 0);
+#ifdef OCCLUSION
+    openness += weight[i] * texelFetch(openness_in, at, 0).r;
+#else
+    openness += weight[i];
+#endif
+  }
 }
 
 void main() {
@@ -90,10 +74,12 @@ void main() {
 #endif
   if (z <= 0.0) return;
 
-  Coarse coarse = upsample(pixel, z);
-  vec3 indirect = coarse.indirect.rgb;
+  vec4 gathered;
+  float openness;
+  upsample(pixel, z, gathered, openness);
+  vec3 indirect = gathered.rgb;
 #ifdef ENERGY_BOUND
-  indirect /= max(coarse.indirect.a, 1.0);  // a full hemisphere of form factors adds up to 1
+  indirect /= max(gathered.a, 1.0);  // a full hemisphere of form factors adds up to 1
 #endif
 #ifdef WEIGHTING_AREA
   vec4 albedo = texelFetch(gbuffer_albedo, pixel, 0);
@@ -102,11 +88,11 @@ void main() {
   indirect *= k_isr;
 #if defined(OCCLUSION) && !defined(INDIRECT_ONLY)
   vec3 emission = texelFetch(gbuffer_emission, pixel, 0).rgb;
-  image.rgb = emission + (image.rgb - emission) * clamp(coarse.openness + 1.0 - k_ssao, 0.0, 1.0);
+  image.rgb = emission + (image.rgb - emission) * clamp(openness + 1.0 - k_ssao, 0.0, 1.0);
 #endif
   image = vec4(image.rgb + indirect, 1.0);
 #ifdef KEEP_BUFFERS
   indirect_out = vec4(indirect, 1.0);
-  openness_out = coarse.openness;
+  openness_out = openness;
 #endif
 }
