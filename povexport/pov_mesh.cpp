@@ -48,13 +48,13 @@ class MeshLists {
 
   void add(const glm::uvec3& triangle, int material) {
     Face face{};
-    const bool textured = !mesh_.uvs.empty() && materials_.uses_uv(material);
+    const bool textured = materials_.uses_uv(material);
     uses_uv_ |= textured;
     for (int i = 0; i < 3; ++i) {
       const std::size_t vertex = triangle[i];
       face.positions[i] = positions_.index(mesh_.positions[vertex]);
       if (smooth_) face.normals[i] = normals_.index(mesh_.normals[vertex]);
-      face.uvs[i] = uvs_.index(textured ? mesh_.uvs[vertex] : glm::vec2(0));
+      face.uvs[i] = uvs_.index(textured && !mesh_.uvs.empty() ? mesh_.uvs[vertex] : glm::vec2(0));
       face.textures[std::size_t(i)] = mesh_.colors.empty()
                                           ? materials_.texture(material)
                                           : materials_.texture(material, mesh_.colors[vertex]);

@@ -81,6 +81,18 @@ void write_camera(PovWriter& out, const Camera& camera, double aspect, double sc
   out.words("\nup").vector(frame.up).words("*").number(height).words("\n}\n");
 }
 
+std::vector<std::string> inexact_features(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (const Light& light : scene.lights)
+    for (const std::string& warning : pov_light_warnings(light)) warnings.push_back(warning);
+  for (const Material& material : scene.materials)
+    if (material.reflectance != 1)
+      warnings.push_back(
+          "material '" + material.name +
+          "': POV-Ray cannot scale the indirect light of a surface alone; its reflectance is left out");
+  return warnings;
+}
+
 }  // namespace
 
 PovAssets pov_assets(const Scene& scene) {
@@ -97,8 +109,7 @@ PovAssets pov_assets(const Scene& scene) {
   assets.includes[kSceneInclude] =
       scene_include(scene, pov_space(scene), materials.declarations(), has_mesh).text();
   assets.images = materials.take_images();
-  for (const Light& light : scene.lights)
-    for (const std::string& warning : pov_light_warnings(light)) assets.warnings.push_back(warning);
+  assets.warnings = inexact_features(scene);
   return assets;
 }
 

@@ -39,6 +39,14 @@ TEST(PovMesh, UvAreWrittenOnlyForTextures) {
   EXPECT_THAT(mesh_text(scene), HasSubstr("uv_vectors"));
 }
 
+TEST(PovMesh, ATextureWithoutUvIsLookedUpAtZero) {
+  Scene scene = scene_of(facing_square());
+  scene.textures = {{"a.png", Image8(1, 1, 4, 255)}};
+  scene.materials[0].diffuse_texture = 0;
+  scene.meshes[0].uvs.clear();
+  EXPECT_THAT(mesh_text(scene), HasSubstr("uv_vectors{1\n<0,0>\n}"));
+}
+
 TEST(PovMesh, EqualPositionsAreWrittenOnce) {
   Scene scene = scene_of(facing_square());
   Mesh& mesh = scene.meshes[0];

@@ -97,5 +97,12 @@ TEST(PovScene, AttenuationByRadiusIsWarnedAbout) {
   EXPECT_THAT(pov_assets(scene).warnings, testing::ElementsAre(HasSubstr("radius")));
 }
 
+TEST(PovScene, AReflectanceIsWarnedAbout) {
+  Scene scene = golden_scene();
+  scene.materials[0].name = "wool";
+  scene.materials[0].reflectance = 0.5f;
+  EXPECT_THAT(pov_assets(scene).warnings, testing::ElementsAre(HasSubstr("wool")));
+}
+
 }  // namespace
 }  // namespace lightbench
