@@ -67,7 +67,7 @@ Task task_of(const Json& json, const std::map<std::string, std::size_t>& index) 
 
 std::string plan_to_json(const Plan& plan) {
   Json json = {{"format", kPlanFormatVersion}, {"out", plan.out.string()}, {"gl", plan.gl}};
-  json["job_file"] = plan.job.file.string();
+  json["job_file"] = std::filesystem::absolute(plan.job.file).string();
   json["job"] = Json::parse(job_text(plan.job));
   json["tasks"] = Json::array();
   for (const auto& task : plan.tasks) json["tasks"].push_back(task_json(task, plan.tasks));

@@ -50,11 +50,22 @@ void Progress::ended(const Task& task, const TaskOutcome& outcome) {
     pace.expected += outcome.expected_seconds;
     pace.measured += outcome.entry->result.seconds;
   }
-  if (failed) line(fmt::format("{} FAILED: {}", task.id, outcome.reason));
+  if (failed && outcome.reason == last_failure_) ++repeated_;
+  if (failed && outcome.reason != last_failure_) {
+    tell_repeated();
+    line(fmt::format("{} FAILED: {}", task.id, outcome.reason));
+    last_failure_ = outcome.reason;
+  }
   if (!failed && style_ == Style::lines && schedule_)
     line(fmt::format("{} {} ({:.2f} s){}", task.id, state_text(outcome.state),
                      outcome.entry ? outcome.entry->result.seconds : 0.0, status()));
   tick();
+}
+
+/// A scene that cannot be read fails all its tasks with one message.
+void Progress::tell_repeated() {
+  if (repeated_ > 0) line(fmt::format("{} more FAILED with the same message", repeated_));
+  repeated_ = 0;
 }
 
 void Progress::tick() {
@@ -64,6 +75,7 @@ void Progress::tick() {
 }
 
 void Progress::finish() {
+  tell_repeated();
   if (style_ == Style::terminal) std::fprintf(stream_, "\r\x1b[K");
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   if (schedule_)

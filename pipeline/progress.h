@@ -33,6 +33,7 @@ class Progress : public Watcher {
   std::string status() const;
   double remaining_seconds() const;
   void line(const std::string& text);
+  void tell_repeated();
 
   std::FILE* stream_;
   Style style_;
@@ -42,6 +43,8 @@ class Progress : public Watcher {
   std::size_t cached_ = 0;
   std::map<TaskKind, Pace> paces_;  ///< of the tasks that this run ended
   std::string latest_;
+  std::string last_failure_;
+  std::size_t repeated_ = 0;  ///< failures after it with the same message
 };
 
 }  // namespace lightbench

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "e2e_fixture.h"
 
 namespace lightbench {
@@ -99,6 +101,25 @@ TEST_F(Cli, ComparePrintsMetricsAndDrawsDifferences) {
   EXPECT_THAT(result.out, HasSubstr("20.000 of 255"));
   EXPECT_EQ(read_image_srgb8(path("d.png")).data[0], 235);  // 255 - 20
   EXPECT_TRUE(std::filesystem::exists(path("h.png")));
+}
+
+TEST_F(Cli, CompareRefusesOtherSizes) {
+  write_png(path("a.png"), Image8(4, 3, 3, 10));
+  write_png(path("b.png"), Image8(3, 4, 3, 10));
+  const auto result = run({"compare", "a.png", "b.png", "--diff", "d.png"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("4x3"));
+  EXPECT_FALSE(std::filesystem::exists(path("d.png")));
+}
+
+TEST_F(Cli, CompareRefusesWhatIsNoNumber) {
+  Image image(2, 2, 3, 0.5f);
+  image.data[4] = std::numeric_limits<float>::quiet_NaN();
+  write_exr(path("a.exr"), image, PixelType::half);
+  write_png(path("b.png"), Image8(2, 2, 3, 10));
+  const auto result = run({"compare", "b.png", "a.exr"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("a.exr"));
 }
 
 TEST_F(Cli, ExportWritesEveryViewOnceAndWhatTheyShare) {

@@ -237,6 +237,33 @@ TEST_F(GlRun, PicturesOfAnotherEngineAreScored) {
   EXPECT_THAT(run_job().out, HasSubstr("snapshot:box/side/mine done"));
 }
 
+TEST_F(GlRun, NamesAreDataWhateverTheyAre) {
+  write("cameras.json", R"JSON({"views": [{"name": "../../<b>$(touch x)\"", "position": [0.5, 0.5, 4],
+                                     "look_at": [0.5, 0.5, 0]}]})JSON");
+  std::string text = read_file(path("job.json"));
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"\"box\"", "\"; rm -rf / #include\""},
+                                 {"\"lit\"", "\"l/i\\u0416t ~\""}})
+    text.replace(text.find(from), from.size(), to);
+  write("job.json", text);
+  const auto before = files();
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  for (const auto& file : files())
+    EXPECT_TRUE(before.contains(file) || file == "grey.exr" || file.starts_with("out/"))
+        << file << " is outside the run's folder";
+  EXPECT_EQ(report().at("scores").size(), 2u);
+}
+
+TEST_F(GlRun, ScoresCanBeMadeFromAnotherFolder) {
+  EXPECT_EQ(run_job().exit_code, 0);
+  std::filesystem::remove(path("out/views/box/front/lit~truth.heat.png"));
+  const auto result = run_process({.argv = {LIGHTBENCH_BINARY, "score", path("out").string()},
+                                   .working_directory = "/",
+                                   .environment = environment_});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(pictures("lit~truth.heat.png"), 2u);
+}
+
 TEST_F(GlRun, SweepsAndRandomViewsAndBuffers) {
   write("job.json", R"({"size": [32, 24], "scenes": [{"scene": "box.obj", "random": {"count": 2, "seed": 3}}],
       "variants": [{"name": "lit", "technique": "ambient", "params": {"shadows": "none"}, "sweep": {"k": [0.1, 0.5]}}],
