@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/vec4.hpp>
 
@@ -155,6 +156,13 @@ int near_count(const Isr& isr, const std::vector<KernelSample>& kernel) {
   return int(far - kernel.begin());
 }
 
+/// By how much the kernel is made smaller for the occlusion.
+float occlusion_scale(const Isr& isr, const std::vector<KernelSample>& kernel) {
+  float reach = 0;
+  for (const KernelSample& k : kernel) reach = std::max(reach, glm::length(k.offset));
+  return isr.number("occlusion_radius") * float(isr.coarse_size.x) / reach;
+}
+
 ShaderDefines gather_defines(const Isr& isr) {
   ShaderDefines defines;
   if (gathers_background(isr)) defines.push_back("BACKGROUND");
@@ -176,6 +184,7 @@ CoarseLight gather(const Isr& isr, const CoarseScene& coarse) {
   program.set("form_factor_limit", isr.number("form_factor_limit"));
   program.set("background", isr.frame.scene().background.color);
   program.set("occluder_radius", isr.number("occluder_radius") * pixel_size / float(isr.block()));
+  program.set("occlusion_scale", occlusion_scale(isr, kernel));
   isr.gbuffer.camera_block.bind_uniform(0);
   block.bind_uniform(kKernelBinding);
   coarse.patches.bind(kPatchUnit);

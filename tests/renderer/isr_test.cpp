@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -324,7 +325,7 @@ TEST(GlIsr, AFlatFloorNeitherLightsNorOccludesItself) {
 
 TEST(GlIsr, OcclusionDarkensCornersAndDirectLightOnly) {
   const Scene scene = corner_scene();
-  const std::map<std::string, ParamValue> params{{"k_ssao", 1.0}, {"k_isr", 0.0}, {"radius", 0.1}};
+  const std::map<std::string, ParamValue> params{{"k_ssao", 1.0}, {"k_isr", 0.0}, {"occluder_radius", 4.0}};
   const Image direct = render(scene, corner_view(), {.width = 128, .height = 96}).image;
   const FrameResult result = render_isr(scene, corner_view(), params);
   const Image& openness = result.buffers.at("occlusion");
@@ -339,6 +340,25 @@ TEST(GlIsr, OcclusionLeavesEmissionAlone) {
   scene.lights.clear();
   const Image direct = render(scene, corner_view(), {.width = 128, .height = 96}).image;
   EXPECT_EQ(render_isr(scene, corner_view(), {{"k_ssao", 1.0}, {"k_isr", 0.0}}).image, direct);
+}
+
+TEST(GlIsr, TheUnitOfLengthDoesNotMatter) {
+  const Scene metres = corner_scene();
+  const Image expected = render_isr(metres, corner_view()).buffers.at("indirect");
+  for (const float factor : {1e-3f, 1e4f}) {
+    Scene scaled = metres;
+    for (Entity& entity : scaled.entities) entity.transform = glm::scale(glm::mat4(1), glm::vec3(factor));
+    scaled.lights[0].position *= factor;
+    View view = corner_view();
+    view.camera.position *= factor;
+    view.camera.look_at *= factor;
+    const Image indirect = render_isr(scaled, view).buffers.at("indirect");
+    double difference = 0;
+    for (std::size_t i = 0; i < indirect.data.size(); ++i)
+      difference += std::abs(indirect.data[i] - expected.data[i]);
+    // Rounding moves single pixels over edges.
+    EXPECT_LT(difference / double(indirect.data.size()), 1e-3) << factor;
+  }
 }
 
 /// What a floor below the horizon receives of a white background that it sees on the screen.

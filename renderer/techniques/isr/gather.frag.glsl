@@ -18,6 +18,7 @@ uniform float form_factor_limit;
 uniform vec2 coarse_texel;  // of the picture, 0..1
 uniform vec3 background;
 uniform float occluder_radius;  // at distance 1
+uniform float occlusion_scale;  // of the kernel
 
 layout(location = 0) out vec4 indirect;  // light of a white surface; alpha: sum of the form factors
 #ifdef OCCLUSION
@@ -54,14 +55,10 @@ vec2 kernel_turn(ivec2 pixel) {
 #endif
 }
 
-struct Gathered {
-  vec4 indirect;
-  float occlusion;
-};
-
-// Adds what the samples first..end-1 see. They read patches of `block` by `block` pixels of this picture.
-void gather_samples(int first, int end, sampler2D patches, sampler2D radiances, int block, vec3 position,
-                    vec3 normal, vec2 turn, inout Gathered sum) {
+// What the samples first..end-1 see. They read patches of `block` by `block` pixels of this picture.
+vec4 gather_samples(int first, int end, sampler2D patches, sampler2D radiances, int block, vec3 position,
+                    vec3 normal, vec2 turn) {
+  vec4 sum = vec4(0.0);
   float plane_area = dot(turn, turn);
   vec2 center = (floor(gl_FragCoord.xy) + 0.5) / float(block);
   vec2 step_x = turn / float(block);
@@ -79,7 +76,7 @@ void gather_samples(int first, int end, sampler2D patches, sampler2D radiances, 
       vec3 ray = unit_ray((vec2(at) + 0.5) * float(block) * coarse_texel);
       float length2 = dot(ray, ray);
       float form_factor = max(dot(normal, ray), 0.0) * share / (length2 * length2);
-      sum.indirect += form_factor * vec4(background, 1.0);
+      sum += form_factor * vec4(background, 1.0);
       continue;
     }
 #else
@@ -90,11 +87,6 @@ void gather_samples(int first, int end, sampler2D patches, sampler2D radiances, 
     float facing = dot(normal, to);
     if (facing <= 0.0 || r2 < kSmallestSquare) continue;
     float z = eye_z(other.xyz);
-#ifdef OCCLUSION
-    // Eq. 26; the argument of the root is negative inside the occluder.
-    float r = occluder_radius * z;
-    sum.occlusion += (1.0 - sqrt(max(1.0 - r * r / r2, 0.0))) * facing * inversesqrt(r2);
-#endif
     float leaving = -dot(unpack_normal(other.w), to);
     if (leaving <= 0.0) continue;
     vec4 radiance = texelFetch(radiances, at, 0);
@@ -109,9 +101,35 @@ void gather_samples(int first, int end, sampler2D patches, sampler2D radiances, 
     float form_factor = cosines * area / r2;
 #endif
     form_factor = min(form_factor, form_factor_limit);
-    sum.indirect += form_factor * vec4(radiance.rgb, 1.0);
+    sum += form_factor * vec4(radiance.rgb, 1.0);
   }
+  return sum;
 }
+
+#ifdef OCCLUSION
+// Eq. 26 over the same kernel made smaller: distant spheres of a pixel's size occlude nothing.
+float occlusion(vec3 position, vec3 normal, vec2 turn) {
+  vec2 center = floor(gl_FragCoord.xy) + 0.5;
+  vec2 step_x = turn * occlusion_scale;
+  vec2 step_y = vec2(-step_x.y, step_x.x);
+  ivec2 size = textureSize(coarse_patches, 0);
+  float sum = 0.0;
+  for (int i = 0; i < sample_count; ++i) {
+    ivec2 at = ivec2(floor(center + kernel[i].x * step_x + kernel[i].y * step_y));
+    if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
+    vec4 other = texelFetch(coarse_patches, at, 0);
+    if (other.w == kNoPatch) continue;
+    vec3 to = other.xyz - position;
+    float r2 = dot(to, to);
+    float facing = dot(normal, to);
+    if (facing <= 0.0 || r2 < kSmallestSquare) continue;
+    float r = occluder_radius * eye_z(other.xyz);
+    // The root's argument is negative inside the sphere.
+    sum += (1.0 - sqrt(max(1.0 - r * r / r2, 0.0))) * facing * inversesqrt(r2);
+  }
+  return min(sum * kTwoPi / float(sample_count), 1.0);
+}
+#endif
 
 void main() {
   indirect = vec4(0.0);
@@ -123,16 +141,14 @@ void main() {
   if (receiver.w == kNoPatch) return;
   vec3 normal = decode_octahedral(texelFetch(coarse_normals, pixel, 0).xy);
   vec2 turn = kernel_turn(pixel);
-  Gathered sum = Gathered(vec4(0.0), 0.0);
-  gather_samples(0, near_count, coarse_patches, coarse_radiance, 1, receiver.xyz, normal, turn, sum);
+  indirect = gather_samples(0, near_count, coarse_patches, coarse_radiance, 1, receiver.xyz, normal, turn);
 #ifdef FAR_BLOCK
-  gather_samples(near_count, sample_count, far_patches, far_radiance, FAR_BLOCK, receiver.xyz, normal, turn, sum);
+  indirect += gather_samples(near_count, sample_count, far_patches, far_radiance, FAR_BLOCK, receiver.xyz, normal, turn);
 #endif
-  indirect = sum.indirect;
 #ifdef WEIGHTING_PAPER
   indirect *= kTwoPi / float(sample_count) * texelFetch(coarse_radiance, pixel, 0).a;
 #endif
 #ifdef OCCLUSION
-  openness = 1.0 - min(sum.occlusion * kTwoPi / float(sample_count), 1.0);
+  openness = 1.0 - occlusion(receiver.xyz, normal, turn);
 #endif
 }
