@@ -5,6 +5,7 @@
 #include <glm/trigonometric.hpp>
 #include <gmock/gmock.h>
 
+#include "base/color.h"
 #include "pov_test_scenes.h"
 
 namespace lightbench {
@@ -108,11 +109,24 @@ TEST(PovrayLights, WithoutShadowsNothingIsInTheWay) {
   EXPECT_NEAR(render(scene, facing_camera(), options).pixel(16, 16)[0], 1, kHalfError);
 }
 
-TEST(PovLights, TheFitOfRadiusScalesWithIt) {
-  const FadeFit one = fit_radius_attenuation(1), ten = fit_radius_attenuation(10);
-  EXPECT_NEAR(ten.distance, 10 * one.distance, 1e-9);
-  EXPECT_EQ(ten.amplitude, one.amplitude);
-  EXPECT_LT(one.worst, 0.15);  // one fade has no better shape to offer: it is flat at the light
+TEST(PovLights, TheSumOfFadesIsWithinHalfALevelOfTheRadiusAttenuation) {
+  Attenuation attenuation{Attenuation::Kind::radius, 1, 2, 1};
+  for (int i = 1; i <= 300; ++i) {
+    const float d = 0.01f * float(i);
+    const float fades = std::max(float(radius_attenuation_by_fades(d)), 0.0f);
+    EXPECT_NEAR(255 * srgb_encode(fades), 255 * srgb_encode(attenuation_factor(attenuation, d)), 0.51f) << d;
+  }
+}
+
+TEST(PovrayLights, AttenuationByRadiusEnds) {
+  const Light light = point_light({Attenuation::Kind::radius, 1, 2, 1.5f});
+  const Image image = lit_wall(light);
+  for (const int x : {0, 8, 16, 24, 32}) {
+    const glm::vec3 p = wall_point(x, 10);
+    const float factor = attenuation_factor(light.attenuation, glm::length(light.position - p));
+    EXPECT_NEAR(image.pixel(x, 10)[0], 1.5f * lambert(light, p) * factor, 0.007f)
+        << x;  // half a level, times 1.5
+  }
 }
 
 }  // namespace
