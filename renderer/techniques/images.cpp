@@ -76,9 +76,9 @@ Technique images_technique() {
        0,
        0,
        {},
-       "path of a view's picture; {scene} and {view} stand for the names, in which bytes other than "
-       "letters, digits, '.', '_' and '-' become %XX; ${LIGHTBENCH_...} is an environment variable; "
-       "relative to the working directory. 8- and 16-bit files are taken as sRGB, EXR as linear light"}};
+       "path of a view's picture; {scene} and {view} stand for the names, in which bytes other than letters, "
+       "digits, '.', '_' and '-' become %XX; ${LIGHTBENCH_...} is an environment variable; relative to the "
+       "working directory. 8- and 16-bit files are taken as sRGB, EXR as linear light"}};
   technique.needs_gl = false;
   technique.render = render_images;
   return technique;

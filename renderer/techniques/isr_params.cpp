@@ -27,10 +27,9 @@ ParamSpec boolean(std::string name, bool value, std::string doc) {
 
 /// The thesis's equations and constants; it does not say where the samples lie.
 Values paper_values() {
-  return {{"weighting", "paper"}, {"source", "albedo"},       {"radius", 0.5},
-          {"spread", 0.5},        {"form_factor_limit", 1e6}, {"energy_bound", false},
-          {"background", false},  {"blur", "gaussian"},       {"k_isr", 0.5},
-          {"k_ssao", 0.5},        {"normals", "rgb8"}};
+  return {{"weighting", "paper"},     {"source", "albedo"},    {"radius", 0.5},       {"spread", 0.5},
+          {"form_factor_limit", 1e6}, {"energy_bound", false}, {"background", false}, {"blur_radius", 4LL},
+          {"blur", "gaussian"},       {"k_isr", 0.5},          {"k_ssao", 0.5},       {"normals", "rgb8"}};
 }
 
 Values with(Values values, const Values& more) {
@@ -44,9 +43,8 @@ std::vector<ParamSpec> isr_params() {
   std::vector<ParamSpec> rows{
       choice("weighting", {"area", "paper"},
              "area: each sample stands for the surface that its share of the kernel covers, and what is "
-             "gathered is "
-             "multiplied by the albedo at full resolution; paper: eq. 25 as printed, with one coarse pixel "
-             "as patch"),
+             "gathered is multiplied by the albedo at full resolution; paper: eq. 25 as printed, with one "
+             "coarse pixel as patch"),
       choice(
           "source", {"lit", "diffuse", "albedo"},
           "what a sample sends out: lit: the direct picture with emission and highlights; diffuse: without "
@@ -54,26 +52,21 @@ std::vector<ParamSpec> isr_params() {
       integer("samples", 48, 1, kMaxKernelSamples, "samples gathered for each coarse pixel"),
       choice("pattern", {"spiral", "grid"},
              "spiral: golden angle, in a disc of `radius`; grid: the square of coarse pixels around it, "
-             "`spacing` "
-             "apart, for 8, 24, 48, 80, ... samples"),
+             "`spacing` apart, for 8, 24, 48, 80, ... samples"),
       number("radius", 1.0, 0.001, 4.0, "of the spiral, in widths of the image"),
       number("spread", 1.5, 0.25, 4.0,
              "exponent of the spiral's radius: 0.5 is uniform in area, more crowds samples at the centre, "
-             "where they "
-             "weigh most"),
+             "where they weigh most"),
       number("spacing", 1.0, 1.0, 256.0, "of the grid, in coarse pixels"),
       choice("rotation", {"tiled", "random", "none"},
              "how the kernel is turned from pixel to pixel: in 64 steps and slightly scaled, in an order "
-             "that repeats "
-             "every 8x8 pixels and that the blur removes; by a hash of the place; not at all"),
+             "that repeats every 8x8 pixels and that the blur removes; by a hash of the place; not at all"),
       integer("far_block", 4, 1, 16,
-              "edge of the blocks of coarse pixels that samples read where they stand for at least 16 "
-              "such blocks: "
-              "faster, and with less noise; 1: all read coarse pixels, as with weighting paper"),
+              "edge of the blocks of coarse pixels that samples read where they stand for at least 16 such "
+              "blocks: faster, and with less noise; 1: all read coarse pixels, as with weighting paper"),
       choice("form_factor", {"point", "disc"},
              "cos cos dA / (pi r^2), which has no bias; or cos cos dA / (pi r^2 + dA), which has no peaks "
-             "but loses "
-             "light with few samples"),
+             "but loses light with few samples"),
       number("form_factor_limit", 4.0, 0.001, 1e6,
              "largest form factor of one sample: bounds peaks; 1 and less cost light where samples are few"),
       boolean("energy_bound", true,
@@ -82,11 +75,10 @@ std::vector<ParamSpec> isr_params() {
              "smallest cosine to the view that a sample's area is divided by"),
       boolean("background", true,
               "gather the scene's background where samples land on it, if it lights: each share is a piece "
-              "of the "
-              "surrounding sphere as the camera sees it"),
+              "of the surrounding sphere as the camera sees it"),
       integer("resolution", 2, 1, 8, "pixels along the edge of a coarse pixel"),
       choice("blur", {"bilateral", "gaussian", "none"}, "of the gathered light, separable"),
-      integer("blur_radius", 4, 1, 32, "coarse pixels to each side; sigma is half of it and a half more"),
+      integer("blur_radius", 6, 1, 32, "coarse pixels to each side; sigma is half of it and a half more"),
       number("blur_plane", 0.02, 1e-5, 10.0,
              "bilateral blur: distance from the tangent plane, as a share of the depth, at which a weight is "
              "1/e"),
@@ -108,11 +100,8 @@ std::vector<ParamSpec> isr_params() {
 
 std::vector<ParamPreset> isr_presets() {
   const Values paper = paper_values();
-  const Values sparse{{"form_factor", "disc"},
-                      {"spread", 0.5},
-                      {"radius", 0.5},
-                      {"min_view_cosine", 0.15},
-                      {"energy_bound", false}};
+  const Values sparse{{"form_factor", "disc"}, {"spread", 0.5},           {"radius", 0.5},
+                      {"blur_radius", 4LL},    {"min_view_cosine", 0.15}, {"energy_bound", false}};
   return {
       {"area", {}, "the defaults: physical weights, 48 samples"},
       {"area-24", {{"samples", 24LL}}, "the same with 24 samples"},
