@@ -93,13 +93,15 @@ GBuffer draw_gbuffer(FrameContext& frame, const FrameCamera& camera, int width, 
   GBuffer g = make_gbuffer(camera, width, height, options.normals);
   const Framebuffer target({&g.albedo, &g.normal, &g.depth, &g.specular, &g.geometric_normal, &g.emission},
                            &g.depth_stencil);
-  const Program& program =
-      frame.program("shaders/surface.vert.glsl", "shaders/surface.frag.glsl", gbuffer_defines(g));
+  ShaderDefines defines = gbuffer_defines(g);
+  const Program& solid = frame.program("shaders/surface.vert.glsl", "shaders/surface.frag.glsl", defines);
+  defines.emplace_back("CUTOUT");
+  const Program& cutout = frame.program("shaders/surface.vert.glsl", "shaders/surface.frag.glsl", defines);
   target.bind();
   clear(target, frame.scene().background.color);
   set_surface_state();
   g.camera_block.bind_uniform(0);
-  frame.gpu_scene().draw_surfaces(program, camera.clip_from_world, glm::dvec3(camera.position),
+  frame.gpu_scene().draw_surfaces(solid, cutout, camera.clip_from_world, glm::dvec3(camera.position),
                                   options.culling);
   return g;
 }

@@ -24,7 +24,7 @@ enum Attribute : unsigned { kPosition, kNormal, kUv, kColor };
 struct MaterialBlock {
   glm::vec4 diffuse_reflectance;
   glm::vec4 emission_specular;
-  glm::vec4 exponent_textures;  // exponent, has a diffuse texture, has a cut-out texture, unused
+  glm::vec4 exponent_texture;  // exponent, has a diffuse texture, unused, unused
 };
 static_assert(sizeof(MaterialBlock) == 48);
 
@@ -175,63 +175,64 @@ void GpuScene::upload_mesh(const Scene& scene, const Mesh& mesh) {
 void GpuScene::upload_materials(const Scene& scene) {
   std::vector<MaterialBlock> blocks;
   for (const Material& m : scene.materials)
-    blocks.push_back(
-        {glm::vec4(m.diffuse, m.reflectance), glm::vec4(m.emission, m.specular),
-         glm::vec4(m.exponent, m.diffuse_texture != kNoTexture, m.cutout_texture != kNoTexture, 0)});
+    blocks.push_back({glm::vec4(m.diffuse, m.reflectance), glm::vec4(m.emission, m.specular),
+                      glm::vec4(m.exponent, m.diffuse_texture != kNoTexture, 0, 0)});
   materials_ = buffer_of(blocks);
 }
 
-void GpuScene::draw_surfaces(const Program& program, const glm::dmat4& clip_from_world, const glm::dvec3& eye,
-                             FrustumCulling culling) const {
-  program.use();
+void GpuScene::draw_parts(const Instance& instance, const glm::dmat4& clip_from_object,
+                          FrustumCulling culling, bool (*wanted)(const Part&),
+                          const std::function<void(const Part&)>& prepare) const {
+  const GpuMesh& mesh = meshes_[std::size_t(instance.mesh)];
+  glBindVertexArray(mesh.vertices.id());
+  Ranges ranges;
+  for (const Part& part : mesh.parts) {
+    if (!wanted(part)) continue;
+    add_visible(ranges, part.clusters, clip_from_object, culling);
+    if (ranges.empty() || !prepare) continue;
+    prepare(part);
+    ranges.draw_and_clear();
+  }
+  ranges.draw_and_clear();
+}
+
+void GpuScene::draw_surfaces(const Program& solid, const Program& cutout, const glm::dmat4& clip_from_world,
+                             const glm::dvec3& eye, FrustumCulling culling) const {
   materials_.bind_storage(0);
   glVertexAttrib3f(kColor, 1, 1, 1);
   glVertexAttrib2f(kUv, 0, 0);
-  Ranges ranges;
   for (const Instance& instance : instances_) {
-    const GpuMesh& mesh = meshes_[std::size_t(instance.mesh)];
     const glm::dmat4 clip_from_object = clip_from_world * instance.world_from_object;
     glm::dmat4 relative_from_object = instance.world_from_object;
     relative_from_object[3] -= glm::dvec4(eye, 0.0);
-    program.set("clip_from_object", glm::mat4(clip_from_object));
-    program.set("relative_from_object", glm::mat4(relative_from_object));
-    program.set("world_from_normal",
-                glm::mat3(glm::inverseTranspose(glm::dmat3(instance.world_from_object))));
-    glBindVertexArray(mesh.vertices.id());
-    for (const Part& part : mesh.parts) {
-      add_visible(ranges, part.clusters, clip_from_object, culling);
-      if (ranges.empty()) continue;
-      program.set("material_index", part.material);
-      if (part.diffuse_texture != kNoTexture) textures_[std::size_t(part.diffuse_texture)].bind(0);
-      if (part.cutout_texture != kNoTexture) textures_[std::size_t(part.cutout_texture)].bind(1);
-      ranges.draw_and_clear();
+    for (const Program* program : {&solid, &cutout}) {
+      program->use();
+      program->set("clip_from_object", glm::mat4(clip_from_object));
+      program->set("relative_from_object", glm::mat4(relative_from_object));
+      program->set("world_from_normal",
+                   glm::mat3(glm::inverseTranspose(glm::dmat3(instance.world_from_object))));
+      draw_parts(instance, clip_from_object, culling, program == &solid ? is_solid : is_cut_out,
+                 [&](const Part& part) {
+                   program->set("material_index", part.material);
+                   if (part.diffuse_texture != kNoTexture)
+                     textures_[std::size_t(part.diffuse_texture)].bind(0);
+                   if (part.cutout_texture != kNoTexture) textures_[std::size_t(part.cutout_texture)].bind(1);
+                 });
     }
   }
 }
 
 void GpuScene::draw_casters(const Program& solid, const Program& cutout, const glm::dmat4& clip_from_world,
                             FrustumCulling culling) const {
-  Ranges ranges;
   for (const Instance& instance : instances_) {
-    const GpuMesh& mesh = meshes_[std::size_t(instance.mesh)];
     const glm::dmat4 clip_from_object = clip_from_world * instance.world_from_object;
-    glBindVertexArray(mesh.vertices.id());
-    for (const Part& part : mesh.parts)
-      if (part.cutout_texture == kNoTexture) add_visible(ranges, part.clusters, clip_from_object, culling);
-    if (!ranges.empty()) {
-      solid.use();
-      solid.set("clip_from_object", glm::mat4(clip_from_object));
-      ranges.draw_and_clear();
-    }
-    for (const Part& part : mesh.parts) {
-      if (part.cutout_texture == kNoTexture) continue;
-      add_visible(ranges, part.clusters, clip_from_object, culling);
-      if (ranges.empty()) continue;
-      cutout.use();
-      cutout.set("clip_from_object", glm::mat4(clip_from_object));
-      textures_[std::size_t(part.cutout_texture)].bind(1);
-      ranges.draw_and_clear();
-    }
+    for (const Program* program : {&solid, &cutout})
+      program->set("clip_from_object", glm::mat4(clip_from_object));
+    solid.use();
+    draw_parts(instance, clip_from_object, culling, is_solid, {});
+    cutout.use();
+    draw_parts(instance, clip_from_object, culling, is_cut_out,
+               [&](const Part& part) { textures_[std::size_t(part.cutout_texture)].bind(1); });
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,10 +33,11 @@ class GpuScene {
   /// Throws Error when a texture is larger than OpenGL allows or memory runs out.
   explicit GpuScene(const Scene& scene);
 
-  /// Draws all surfaces. The program is one of shaders/surface.vert.glsl; positions are given to it relative
-  /// to `eye`.
-  void draw_surfaces(const Program& program, const glm::dmat4& clip_from_world, const glm::dvec3& eye,
-                     FrustumCulling culling) const;
+  /// Draws all surfaces: `cutout` the parts with a cut-out texture, `solid` the rest, so that hidden pixels
+  /// of those need no shading. The programs are of shaders/surface.vert.glsl; positions are given to them
+  /// relative to `eye`.
+  void draw_surfaces(const Program& solid, const Program& cutout, const glm::dmat4& clip_from_world,
+                     const glm::dvec3& eye, FrustumCulling culling) const;
   /// Draws what casts shadows, without colour: `cutout` draws the parts with a cut-out texture, `solid` the
   /// rest.
   void draw_casters(const Program& solid, const Program& cutout, const glm::dmat4& clip_from_world,
@@ -60,6 +62,11 @@ class GpuScene {
     glm::dmat4 world_from_object{1.0};
   };
 
+  static bool is_solid(const Part& part) { return part.cutout_texture == kNoTexture; }
+  static bool is_cut_out(const Part& part) { return part.cutout_texture != kNoTexture; }
+  /// Calls `prepare` before each part; without it, parts that follow one another are drawn at once.
+  void draw_parts(const Instance& instance, const glm::dmat4& clip_from_object, FrustumCulling culling,
+                  bool (*wanted)(const Part&), const std::function<void(const Part&)>& prepare) const;
   void upload_mesh(const Scene& scene, const Mesh& mesh);
   void upload_materials(const Scene& scene);
 

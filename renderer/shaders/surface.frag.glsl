@@ -1,6 +1,8 @@
 #include "shaders/frame.glsl"
 #include "shaders/octahedral.glsl"
+#ifdef CUTOUT
 #include "shaders/cutout.glsl"
+#endif
 
 layout(location = 0) in vec3 relative_position;
 layout(location = 1) in vec3 world_normal;
@@ -19,7 +21,7 @@ layout(binding = 0) uniform sampler2D diffuse_texture;
 struct Material {
   vec4 diffuse_reflectance;
   vec4 emission_specular;
-  vec4 exponent_textures;  // exponent, has a diffuse texture, has a cut-out texture, unused
+  vec4 exponent_texture;  // exponent, has a diffuse texture, unused, unused
 };
 layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
 uniform int material_index;
@@ -44,8 +46,10 @@ void main() {
   // Derivatives and texture lookups first: they need all pixels of a block to take part.
   vec3 face_normal = cross(dFdx(relative_position), dFdy(relative_position));
   vec3 diffuse = material.diffuse_reflectance.rgb * surface_color;
-  if (material.exponent_textures.y != 0.0) diffuse *= texture(diffuse_texture, surface_uv).rgb;
-  if (material.exponent_textures.z != 0.0 && is_cut_out(surface_uv)) discard;
+  if (material.exponent_texture.y != 0.0) diffuse *= texture(diffuse_texture, surface_uv).rgb;
+#ifdef CUTOUT
+  if (is_cut_out(surface_uv)) discard;
+#endif
 
   vec3 viewer = -normalize(relative_position);
   face_normal = towards_viewer(face_normal, viewer);
@@ -53,6 +57,6 @@ void main() {
   normal = encoded_normal(towards_viewer(world_normal, face_normal));
   geometric_normal = encode_octahedral(face_normal);
   depth = dot(relative_position, camera_forward.xyz) / camera_position.w;
-  specular = vec2(material.emission_specular.a, material.exponent_textures.x);
+  specular = vec2(material.emission_specular.a, material.exponent_texture.x);
   emission = vec4(material.emission_specular.rgb, 1.0);
 }
