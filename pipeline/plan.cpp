@@ -42,13 +42,6 @@ std::string view_text(const Camera& camera) {
                      vec_text(camera.look_at), vec_text(camera.up), camera.fov);
 }
 
-/// A name within a file name whose parts are kept apart by '~'.
-std::string file_name_part(const std::string& name) {
-  std::string result;
-  for (const char c : escape_file_name(name)) result += c == '~' ? std::string("%7E") : std::string(1, c);
-  return result;
-}
-
 class Planner {
  public:
   Planner(const Job& job, const PlanFacts& facts, const std::filesystem::path& out) : facts_(facts) {
@@ -263,38 +256,6 @@ const std::vector<std::string>& task_kind_names() {
 
 std::string to_text(TaskKind kind) {
   return task_kind_names()[static_cast<std::size_t>(kind)];
-}
-
-std::string view_folder(const Job& job, int scene, int view) {
-  const auto& job_scene = job.scenes[std::size_t(scene)];
-  return fmt::format("views/{}/{}", escape_file_name(job_scene.name),
-                     escape_file_name(views_of(job_scene)[std::size_t(view)].name));
-}
-
-std::string image_stem(const Job& job, int scene, int view, const std::string& source) {
-  return view_folder(job, scene, view) + "/" + file_name_part(source);
-}
-
-std::string score_stem(const Job& job, int scene, int view, const std::string& variant,
-                       const std::string& other) {
-  return image_stem(job, scene, view, variant) + "~" + file_name_part(other);
-}
-
-std::string buffer_stem(const Job& job, int scene, int view, const std::string& variant,
-                        const std::string& buffer) {
-  return image_stem(job, scene, view, variant) + "~~" + file_name_part(buffer);
-}
-
-std::string shared_export_folder(const Job& job, int scene, const std::string& kind) {
-  return escape_file_name(kind) + "/" + escape_file_name(job.scenes[std::size_t(scene)].name);
-}
-
-std::vector<std::string> variant_buffers(const Job& job, const JobVariant& variant) {
-  std::vector<std::string> result;
-  for (const auto& buffer : find_technique(variant.technique, "").buffers)
-    if (std::find(job.buffers.begin(), job.buffers.end(), buffer.name) != job.buffers.end())
-      result.push_back(buffer.name);
-  return result;
 }
 
 std::string key_of(const KeyParts& parts) {

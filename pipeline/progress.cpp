@@ -10,6 +10,10 @@
 namespace lightbench {
 namespace {
 
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 const char* state_text(TaskState state) {
   switch (state) {
     case TaskState::done:
@@ -40,11 +44,13 @@ void Progress::begin(const Schedule& schedule) {
 
 void Progress::started(const Task& task) {
   latest_ = task.id;
+  running_[&task] = std::chrono::steady_clock::now();
   tick();
 }
 
 void Progress::ended(const Task& task, const TaskOutcome& outcome) {
   const bool failed = outcome.state == TaskState::failed;
+  running_.erase(&task);
   if (outcome.entry) {
     Pace& pace = paces_[task.kind];
     pace.expected += outcome.expected_seconds;
@@ -77,7 +83,7 @@ void Progress::tick() {
 void Progress::finish() {
   tell_repeated();
   if (style_ == Style::terminal) std::fprintf(stream_, "\r\x1b[K");
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const double seconds = seconds_since(start_);
   if (schedule_)
     line(fmt::format("{} done, {} there already, {} failed, {} skipped in {}",
                      schedule_->count(TaskState::done), schedule_->count(TaskState::cached),
@@ -86,16 +92,20 @@ void Progress::finish() {
   schedule_ = nullptr;
 }
 
-/// By what the tasks of each kind took so far, compared with what was expected of them.
+/// What tasks of that kind took so far, as a multiple of what was expected of them.
+double Progress::pace(TaskKind kind) const {
+  const auto found = paces_.find(kind);
+  if (found == paces_.end() || found->second.expected <= 0) return 1.0;
+  return std::clamp(found->second.measured / found->second.expected, 0.1, 10.0);
+}
+
 double Progress::remaining_seconds() const {
   double total = 0;
-  for (const TaskKind kind : {TaskKind::snapshot, TaskKind::export_, TaskKind::reference, TaskKind::score}) {
-    const auto found = paces_.find(kind);
-    const bool known = found != paces_.end() && found->second.expected > 0;
-    const double pace = known ? std::clamp(found->second.measured / found->second.expected, 0.1, 10.0) : 1.0;
-    total += pace * schedule_->remaining_seconds(kind);
-  }
-  return total / places_;
+  for (const TaskKind kind : {TaskKind::snapshot, TaskKind::export_, TaskKind::reference, TaskKind::score})
+    total += pace(kind) * schedule_->remaining_seconds(kind);
+  for (const auto& [task, start] : running_)
+    total -= std::min(seconds_since(start), pace(task->kind) * schedule_->seconds(*task));
+  return std::max(total, 0.0) / places_;
 }
 
 /// " [7/12, 1 failed, 8 s, about 20 s to go]"
@@ -103,7 +113,7 @@ std::string Progress::status() const {
   const std::size_t done = schedule_->count(TaskState::done);
   const std::size_t failed = schedule_->count(TaskState::failed);
   const std::size_t open = schedule_->count(TaskState::waiting) + schedule_->count(TaskState::running);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  const double seconds = seconds_since(start_);
   const std::string failures = failed ? fmt::format(", {} failed", failed) : "";
   return fmt::format(" [{}/{}{}, {}, about {} to go]", done + failed, done + failed + open, failures,
                      duration_text(seconds), duration_text(remaining_seconds()));

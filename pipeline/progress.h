@@ -31,6 +31,7 @@ class Progress : public Watcher {
   };
 
   std::string status() const;
+  double pace(TaskKind kind) const;
   double remaining_seconds() const;
   void line(const std::string& text);
   void tell_repeated();
@@ -42,6 +43,7 @@ class Progress : public Watcher {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::size_t cached_ = 0;
   std::map<TaskKind, Pace> paces_;  ///< of the tasks that this run ended
+  std::map<const Task*, std::chrono::steady_clock::time_point> running_;
   std::string latest_;
   std::string last_failure_;
   std::size_t repeated_ = 0;  ///< failures after it with the same message

@@ -43,6 +43,7 @@ class Schedule {
   /// Of the tasks that are waiting or running.
   double remaining_seconds(TaskKind kind) const;
   double seconds(std::size_t task) const { return seconds_[task]; }
+  double seconds(const Task& task) const { return seconds_[std::size_t(&task - tasks_.data())]; }
 
  private:
   bool ready(std::size_t task) const;
