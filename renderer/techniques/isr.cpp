@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/vec4.hpp>
 
@@ -27,9 +26,6 @@ constexpr unsigned kLitUnit = 11;
 constexpr unsigned kFarPatchUnit = 9;
 constexpr unsigned kFarRadianceUnit = 10;
 constexpr unsigned kKernelBinding = 1;
-
-/// A sample reads larger blocks where it stands for so many of them.
-constexpr float kFarShare = 16;
 
 /// What is gathered from: techniques/isr/coarse.glsl.
 struct CoarseScene {
@@ -146,23 +142,6 @@ Buffer kernel_block(const Isr& isr, const std::vector<KernelSample>& kernel, flo
   return Buffer(block.data(), block.size() * sizeof block[0]);
 }
 
-/// How many samples from the first one on read the coarse picture itself.
-int near_count(const Isr& isr, const std::vector<KernelSample>& kernel) {
-  const int block = isr.far_block();
-  if (block == 1) return int(kernel.size());
-  const float least = kFarShare * float(block * block);
-  const auto far =
-      std::find_if(kernel.begin(), kernel.end(), [&](const KernelSample& k) { return k.area >= least; });
-  return int(far - kernel.begin());
-}
-
-/// By how much the kernel is made smaller for the occlusion.
-float occlusion_scale(const Isr& isr, const std::vector<KernelSample>& kernel) {
-  float reach = 0;
-  for (const KernelSample& k : kernel) reach = std::max(reach, glm::length(k.offset));
-  return isr.number("occlusion_radius") * float(isr.coarse_size.x) / reach;
-}
-
 ShaderDefines gather_defines(const Isr& isr) {
   ShaderDefines defines;
   if (gathers_background(isr)) defines.push_back("BACKGROUND");
@@ -178,13 +157,14 @@ CoarseLight gather(const Isr& isr, const CoarseScene& coarse) {
   const Buffer block = kernel_block(isr, kernel, pixel_size);
   CoarseLight light = make_light(isr);
   const Program& program = isr.program("gather", gather_defines(isr));
-  program.set("near_count", near_count(isr, kernel));
+  program.set("near_count", near_samples(kernel, isr.far_block()));
   program.set("sample_count", int(kernel.size()));
   program.set("coarse_texel", float(isr.block()) / glm::vec2(isr.gbuffer.width, isr.gbuffer.height));
   program.set("form_factor_limit", isr.number("form_factor_limit"));
   program.set("background", isr.frame.scene().background.color);
   program.set("occluder_radius", isr.number("occluder_radius") * pixel_size / float(isr.block()));
-  program.set("occlusion_scale", occlusion_scale(isr, kernel));
+  program.set("occlusion_scale",
+              isr.number("occlusion_radius") * float(isr.coarse_size.x) / kernel_reach(kernel));
   isr.gbuffer.camera_block.bind_uniform(0);
   block.bind_uniform(kKernelBinding);
   coarse.patches.bind(kPatchUnit);

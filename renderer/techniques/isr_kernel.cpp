@@ -1,8 +1,11 @@
 #include "renderer/techniques/isr_kernel.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include <glm/geometric.hpp>
 
 namespace lightbench {
 
@@ -35,6 +38,20 @@ std::vector<KernelSample> grid_kernel(int count, float spacing) {
 bool fills_grid(int count) {
   const int side = int(std::lround(std::sqrt(double(count) + 1)));
   return side % 2 == 1 && side * side == count + 1;
+}
+
+int near_samples(const std::vector<KernelSample>& kernel, int block) {
+  if (block == 1) return int(kernel.size());
+  const float least = 16.0f * float(block * block);
+  const auto far = std::find_if(kernel.begin(), kernel.end(),
+                                [&](const KernelSample& sample) { return sample.area >= least; });
+  return int(far - kernel.begin());
+}
+
+float kernel_reach(const std::vector<KernelSample>& kernel) {
+  float reach = 0;
+  for (const KernelSample& sample : kernel) reach = std::max(reach, glm::length(sample.offset));
+  return reach;
 }
 
 }  // namespace lightbench

@@ -27,4 +27,11 @@ std::vector<KernelSample> grid_kernel(int count, float spacing);
 /// 8, 24, 48, 80, ...: the counts that fill a grid.
 bool fills_grid(int count);
 
+/// How many samples from the first one on stand for less than 16 blocks of `block` by `block` pixels: they
+/// read the coarse image itself, those after them the blocks. All where `block` is 1.
+int near_samples(const std::vector<KernelSample>& kernel, int block);
+
+/// The length of the longest offset.
+float kernel_reach(const std::vector<KernelSample>& kernel);
+
 }  // namespace lightbench

@@ -58,5 +58,18 @@ TEST(IsrKernel, KnowsTheCountsThatFillAGrid) {
   for (const int count : {1, 3, 15, 47, 49}) EXPECT_FALSE(fills_grid(count)) << count;
 }
 
+TEST(IsrKernel, SamplesThatStandForManyBlocksReadBlocks) {
+  const auto kernel = spiral_kernel(48, 512, 1.5f);
+  const int near = near_samples(kernel, 4);
+  EXPECT_LT(kernel[std::size_t(near) - 1].area, 16 * 16);
+  EXPECT_GE(kernel[std::size_t(near)].area, 16 * 16);
+  EXPECT_EQ(near_samples(kernel, 1), 48);
+  EXPECT_EQ(near_samples(grid_kernel(48, 1), 4), 48);
+}
+
+TEST(IsrKernel, ReachesToItsLastSample) {
+  EXPECT_FLOAT_EQ(kernel_reach(grid_kernel(48, 1)), 3 * std::sqrt(2.0f));
+}
+
 }  // namespace
 }  // namespace lightbench
