@@ -43,8 +43,8 @@ struct Face {
 /// The lists of one mesh2.
 class MeshLists {
  public:
-  MeshLists(const Mesh& mesh, PovMaterials& materials, bool smooth)
-      : mesh_(mesh), materials_(materials), smooth_(smooth) {}
+  MeshLists(const Mesh& mesh, float scale, PovMaterials& materials, bool smooth)
+      : mesh_(mesh), scale_(scale), materials_(materials), smooth_(smooth) {}
 
   void add(const glm::uvec3& triangle, int material) {
     Face face{};
@@ -52,7 +52,7 @@ class MeshLists {
     uses_uv_ |= textured;
     for (int i = 0; i < 3; ++i) {
       const std::size_t vertex = triangle[i];
-      face.positions[i] = positions_.index(mesh_.positions[vertex]);
+      face.positions[i] = positions_.index(scale_ * mesh_.positions[vertex]);
       if (smooth_) face.normals[i] = normals_.index(mesh_.normals[vertex]);
       face.uvs[i] = uvs_.index(textured && !mesh_.uvs.empty() ? mesh_.uvs[vertex] : glm::vec2(0));
       face.textures[std::size_t(i)] = mesh_.colors.empty()
@@ -70,6 +70,7 @@ class MeshLists {
   void write_indices(PovWriter& out, PovWriter::Words keyword, glm::uvec3 Face::*indices) const;
 
   const Mesh& mesh_;
+  float scale_;
   PovMaterials& materials_;
   bool smooth_;
   bool uses_uv_ = false;
@@ -145,9 +146,9 @@ bool is_flat(const Mesh& mesh, const glm::uvec3& triangle) {
 
 }  // namespace
 
-PovWriter pov_mesh(const Mesh& mesh, PovMaterials& materials) {
-  MeshLists flat(mesh, materials, false);
-  MeshLists smooth(mesh, materials, true);
+PovWriter pov_mesh(const Mesh& mesh, float scale, PovMaterials& materials) {
+  MeshLists flat(mesh, scale, materials, false);
+  MeshLists smooth(mesh, scale, materials, true);
   for (const MeshPart& part : mesh.parts)
     for (std::uint32_t i = 0; i < part.triangle_count; ++i) {
       const glm::uvec3& triangle = mesh.triangles[part.first_triangle + i];

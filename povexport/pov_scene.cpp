@@ -24,13 +24,15 @@ PovSpace pov_space(const Scene& scene) {
   return {bounds, std::exp2(std::floor(std::log2(1024 / diagonal)))};
 }
 
-/// The rows of POV-Ray's matrix are where the axes and the origin go: the columns of ours.
+/// The rows of POV-Ray's matrix are where the axes and the origin go: the columns of ours. The meshes are
+/// scaled already, so that only the origin is left to be.
 void write_transform(PovWriter& out, const glm::mat4& m, double scale) {
+  if (m == glm::mat4(1)) return;
   out.words(" matrix<");
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 3; ++row) {
       if (column + row > 0) out.words(",");
-      out.number(float(scale * m[column][row]));
+      out.number(column < 3 ? m[column][row] : float(scale * m[column][row]));
     }
   out.words(">");
 }
@@ -100,14 +102,14 @@ PovAssets pov_assets(const Scene& scene) {
     throw Error("the scene has no triangles: there is nothing to render", scene.name);
   PovAssets assets;
   PovMaterials materials(scene);
+  const PovSpace space = pov_space(scene);
   std::vector<bool> has_mesh(scene.meshes.size());
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const PovWriter mesh = pov_mesh(scene.meshes[i], materials);
+    const PovWriter mesh = pov_mesh(scene.meshes[i], float(space.scale), materials);
     has_mesh[i] = !mesh.text().empty();
     if (has_mesh[i]) assets.includes[pov_file_name("mesh", int(i) + 1, "inc")] = mesh.text();
   }
-  assets.includes[kSceneInclude] =
-      scene_include(scene, pov_space(scene), materials.declarations(), has_mesh).text();
+  assets.includes[kSceneInclude] = scene_include(scene, space, materials.declarations(), has_mesh).text();
   assets.images = materials.take_images();
   assets.warnings = inexact_features(scene);
   return assets;

@@ -14,7 +14,7 @@ using testing::Not;
 
 std::string mesh_text(const Scene& scene) {
   PovMaterials materials(scene);
-  return pov_mesh(scene.meshes[0], materials).text();
+  return pov_mesh(scene.meshes[0], 1, materials).text();
 }
 
 /// The facing square with normals that lean outwards.
@@ -83,6 +83,28 @@ TEST(PovrayMesh, BothSidesAreLit) {
   scene.entities[0].transform = glm::rotate(glm::mat4(1), 3.14159265f, glm::vec3(0, 1, 0));
   EXPECT_NEAR(render(scene, facing_camera()).pixel(16, 16)[0], 1, kHalfError);
 }
+
+class PovrayScale : public testing::TestWithParam<float> {};
+
+TEST_P(PovrayScale, MakesNoDifference) {
+  Scene scene = domed_scene();
+  scene.meshes.push_back(
+      quad_mesh({{-0.5f, 0.3f, 0.01f}, {0.5f, 0.3f, 0.01f}, {0.5f, 0.3f, 1}, {-0.5f, 0.3f, 1}}));
+  scene.entities.push_back({"shelf", 1, glm::mat4(1)});
+  scene.lights[0].direction = glm::normalize(glm::vec3(0.1f, -0.3f, -1));
+  const Image wanted = render(scene, facing_camera());
+  Camera camera = facing_camera();
+  camera.position *= GetParam();
+  for (Mesh& mesh : scene.meshes)
+    for (glm::vec3& position : mesh.positions) position *= GetParam();
+  const Image image = render(scene, camera);
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < image.data.size(); ++i)
+    different += std::abs(image.data[i] - wanted.data[i]) > kHalfError;
+  EXPECT_LE(different, 8u);  // two pixels on the shadow's edge, in four components
+}
+
+INSTANTIATE_TEST_SUITE_P(Povray, PovrayScale, testing::Values(1e-5f, 0.003f, 700.0f, 1e6f));
 
 TEST(PovrayMesh, InstancesAreScaledThenTurnedThenMoved) {
   Scene scene = scene_of(facing_square());
