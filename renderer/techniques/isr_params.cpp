@@ -27,9 +27,10 @@ ParamSpec boolean(std::string name, bool value, std::string doc) {
 
 /// The thesis's equations and constants; it does not say where the samples lie.
 Values paper_values() {
-  return {{"weighting", "paper"},     {"source", "albedo"},    {"radius", 0.5},       {"spread", 0.5},
-          {"form_factor_limit", 1e6}, {"energy_bound", false}, {"background", false}, {"blur_radius", 4LL},
-          {"blur", "gaussian"},       {"k_isr", 0.5},          {"k_ssao", 0.5},       {"normals", "rgb8"}};
+  return {{"weighting", "paper"}, {"source", "albedo"},       {"radius", 0.5},         {"spread", 0.5},
+          {"rotation", "none"},   {"form_factor_limit", 1e6}, {"energy_bound", false}, {"background", false},
+          {"blur_radius", 4LL},   {"blur", "gaussian"},       {"k_isr", 0.5},          {"k_ssao", 0.5},
+          {"normals", "rgb8"}};
 }
 
 Values with(Values values, const Values& more) {
