@@ -34,13 +34,17 @@ std::string last_lines(const std::string& text, std::size_t count) {
   return join(lines, "\n");
 }
 
-/// What POV-Ray says about the scene: "File 'scene.pov' line 7: Parse Error: ...", the first of such lines,
-/// without the words around it.
+/// What POV-Ray says about the scene: of the first "File 'scene.pov' line 7: Parse Error: ..." the words that
+/// matter, with file and line in front.
 std::string parse_error(const std::string& log) {
-  static const std::regex pattern(R"(File '([^'\n]*)' line (\d+): ((?:Possible )?Parse Error: [^\n]*))");
-  std::smatch match;
-  if (!std::regex_search(log, match, pattern)) return "";
-  return match[1].str() + ":" + match[2].str() + ": " + match[3].str();
+  static const std::regex pattern(R"(File '([^']*)' line (\d+): ((?:Possible )?Parse Error: .*))");
+  constexpr std::size_t kLongestLine = 1000;  // std::regex recurses with the length of its input
+  for (const std::string& line : split(log, '\n')) {
+    std::smatch match;
+    if (line.size() <= kLongestLine && std::regex_search(line, match, pattern))
+      return match[1].str() + ":" + match[2].str() + ": " + match[3].str();
+  }
+  return "";
 }
 
 [[noreturn]] void fail(const std::string& what, const PovrayRun& run, const std::string& log) {
