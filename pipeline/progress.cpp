@@ -38,8 +38,8 @@ void Progress::begin(const Schedule& schedule) {
   start_ = std::chrono::steady_clock::now();
   cached_ = schedule.count(TaskState::cached);
   const std::size_t waiting = schedule.count(TaskState::waiting);
-  line(fmt::format("{} tasks to do, {} there already; expected {} on {} workers", waiting, cached_,
-                   duration_text(remaining_seconds()), places_));
+  line(fmt::format("{} to do, {} there already; expected {} on {}", counted(waiting, "task"), cached_,
+                   duration_text(remaining_seconds()), counted(std::size_t(places_), "worker")));
 }
 
 void Progress::started(const Task& task) {

@@ -64,7 +64,8 @@ void add_compare_command(CLI::App& app, Action& action) {
   command
       ->add_option("-m,--metric", params->metrics,
                    "Which: " + join(row_names(metrics()), ", ") + "; default: all")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--baseline", params->baseline, "Picture that gain and quality are measured against");
   command->add_option(
       "--mask", params->mask,

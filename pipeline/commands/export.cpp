@@ -51,7 +51,8 @@ void add_export_command(CLI::App& app, Action& action) {
   command->add_option("--kind", params->kind, "Offline renderer: " + join(row_names(reference_kinds()), ", "))
       ->capture_default_str();
   command->add_option("--preset", params->preset, "Named set of parameters (lightbench list params)");
-  command->add_option("-p,--param", params->params, "NAME=VALUE; may stand several times")->expected(1);
+  command->add_option("-p,--param", params->params, "NAME=VALUE; may stand several times")
+      ->allow_extra_args(false);
   command->add_option("-o,--output", params->folder, "Folder to write to")->capture_default_str();
   command->footer(
       R"(All views of the camera script are written unless --view names one. The meshes and images that

@@ -18,7 +18,7 @@ struct ListParams {
 };
 
 void print_row(const std::string& name, const std::string& doc) {
-  std::printf("  %-18s %s\n", name.c_str(), doc.c_str());
+  std::printf("  %-24s %s\n", name.c_str(), doc.c_str());
 }
 
 std::string range_text(const ParamSpec& spec) {

@@ -69,7 +69,8 @@ void add_reference_command(CLI::App& app, Action& action) {
   command->add_option("--kind", params->kind, "Offline renderer: " + join(row_names(reference_kinds()), ", "))
       ->capture_default_str();
   command->add_option("--preset", params->preset, "Named set of parameters (lightbench list params)");
-  command->add_option("-p,--param", params->params, "NAME=VALUE; may stand several times")->expected(1);
+  command->add_option("-p,--param", params->params, "NAME=VALUE; may stand several times")
+      ->allow_extra_args(false);
   command->add_option("--timeout", params->timeout, "Seconds after which it is stopped")
       ->check(CLI::Range(0.1, 1e7))
       ->capture_default_str();

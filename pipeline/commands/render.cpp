@@ -83,13 +83,15 @@ void add_render_command(CLI::App& app, Action& action) {
                    "How to light it: " + join(row_names(techniques()), ", "))
       ->capture_default_str();
   command->add_option("--preset", params->preset, "Named set of parameters (lightbench list params)");
-  command->add_option("-p,--param", params->params, "NAME=VALUE; may stand several times")->expected(1);
+  command->add_option("-p,--param", params->params, "NAME=VALUE; may stand several times")
+      ->allow_extra_args(false);
   command->add_option("-o,--output", params->output, ".png (8-bit sRGB) or .exr (linear)")
       ->capture_default_str();
   command
       ->add_option("--buffers", params->buffers,
                    "Named buffers to write beside the output, e.g. albedo,normal")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->allow_extra_args(false);
   command->add_option("--gl", params->gl, "OpenGL back end: osmesa or egl")->capture_default_str();
   command->footer(R"(Examples:
   lightbench render room.json --cameras room-cameras.json --view door -o door.png

@@ -37,6 +37,7 @@ void add_report_command(CLI::App& app, Action& action) {
   command->add_option("folder", params->folder, "Folder of a run")->required();
   command->add_option("--format", params->formats, "Only these: " + join(names, ", "))
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(names));
   command->footer(
       "Exit codes are those of the run.\n\nExample:\n  lightbench report out/cornell --format html,junit");

@@ -30,6 +30,7 @@ void add_run_command(CLI::App& app, Action& action) {
   add_run_flags(*command, params->flags);
   command->add_option("--stages", params->stages, "Only these: snapshot, reference, score")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(CLI::IsMember({"snapshot", "reference", "score"}));
   command->footer(
       R"(What is already there and still valid is not done again, so a run that was interrupted or failed

@@ -81,7 +81,7 @@ TEST_F(GlRun, PlanExplainSaysWhichPartOfAKeyChanged) {
 TEST_F(GlRun, ADamagedPictureIsMadeAgain) {
   run_job();
   write("out/views/box/front/lit.png", "not a picture");
-  EXPECT_THAT(run_job().out, HasSubstr("1 tasks to do, 12 there already"));
+  EXPECT_THAT(run_job().out, HasSubstr("1 task to do, 12 there already"));
   EXPECT_EQ(read_image_srgb8(path("out/views/box/front/lit.png")).width, 32);
 }
 
@@ -325,6 +325,31 @@ TEST_F(GlRender, WritesThePictureAndItsBuffers) {
   EXPECT_EQ(read_image_srgb8(path("a.png")).width, 32);
   EXPECT_TRUE(std::filesystem::exists(path("a.albedo.exr")));
   EXPECT_TRUE(std::filesystem::exists(path("a.depth.png")));
+}
+
+TEST_F(GlRender, TakesOptionsSeveralTimesAndBeforeTheScene) {
+  const auto result = run({"render",
+                           "-p",
+                           "shadows=none",
+                           "-p",
+                           "shadow_size=64",
+                           "--buffers",
+                           "albedo,depth",
+                           "--position",
+                           "-1",
+                           "2",
+                           "4",
+                           "--look-at",
+                           "0",
+                           "0",
+                           "0",
+                           "--size",
+                           "32x24",
+                           "scene.json",
+                           "-o",
+                           "a.png"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(std::filesystem::exists(path("a.depth.exr")));
 }
 
 TEST_F(GlRender, UnwritableOutputIsAnError) {
