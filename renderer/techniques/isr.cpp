@@ -241,7 +241,7 @@ ShaderDefines all_defines(const GBuffer& gbuffer, const ParamValues& params, boo
 
 void render_isr(FrameContext& frame, const ParamValues& params) {
   GBuffer gbuffer;
-  frame.pass("gbuffer", [&] {
+  frame.pass("g-buffer", [&] {
     GBufferOptions options;
     if (params.text("normals") == "rgb8") options.normals = NormalFormat::rgb8;
     gbuffer = draw_gbuffer(frame, frame.camera(), frame.width(), frame.height(), options);
