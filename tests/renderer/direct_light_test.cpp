@@ -48,7 +48,8 @@ TEST(GlDirect, PowerAndColourMultiply) {
   scene.lights = {directional_light({0, -1, 0})};
   scene.lights[0].color = {0.5f, 1, 2};
   scene.lights[0].power = 3;
-  const auto pixel = render(scene, top_view(3)).image.pixel(20, 20);
+  const FrameResult frame = render(scene, top_view(3));
+  const auto pixel = frame.image.pixel(20, 20);
   EXPECT_NEAR(pixel[0], 0.75f, 1e-4f);
   EXPECT_NEAR(pixel[1], 1.5f, 1e-4f);
   EXPECT_NEAR(pixel[2], 3.0f, 1e-4f);
@@ -159,7 +160,8 @@ TEST(GlDirect, PhongIsUntintedAndWithoutACosine) {
 TEST(GlDirect, EmissionShowsWithoutLights) {
   Scene scene = floor_scene();
   scene.materials[0].emission = {0.25f, 0.5f, 4};
-  const auto pixel = render(scene, top_view(3)).image.pixel(3, 3);
+  const FrameResult frame = render(scene, top_view(3));
+  const auto pixel = frame.image.pixel(3, 3);
   EXPECT_EQ(pixel[0], 0.25f);
   EXPECT_EQ(pixel[1], 0.5f);
   EXPECT_EQ(pixel[2], 4.0f);
