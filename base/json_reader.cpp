@@ -144,7 +144,7 @@ std::string JsonValue::text() const {
 }
 
 std::string JsonValue::choice(const std::vector<std::string>& choices) const {
-  const std::string value = text();
+  std::string value = text();
   if (std::find(choices.begin(), choices.end(), value) == choices.end())
     fail(fmt::format("must be one of {}, not '{}'{}", join(choices, ", "), value,
                      did_you_mean(value, choices)));
