@@ -39,9 +39,9 @@ Json list_schema(Json items, const char* doc, std::size_t min_items = 0) {
   return json;
 }
 
-Json object_schema(Json properties, std::vector<std::string> required = {}) {
+Json object_schema(Json properties, const std::vector<std::string>& required = {}) {
   Json json = {{"type", "object"}, {"properties", std::move(properties)}};
-  if (!required.empty()) json["required"] = std::move(required);
+  if (!required.empty()) json["required"] = required;
   json["additionalProperties"] = false;
   return json;
 }

@@ -93,7 +93,7 @@ void FrameContext::keep_buffer(const std::string& name, const GlTexture& texture
   if (wants(name)) keep_buffer(name, read_back(texture, channels));
 }
 
-void FrameContext::keep_buffer(const std::string& name, Image image) {
+void FrameContext::keep_buffer(const std::string& name, const Image& image) {
   if (wants(name)) result_.buffers[name] = enlarged(image, width(), height());
 }
 

@@ -68,7 +68,7 @@ class FrameContext {
   /// Keeps the first `channels` components under a name of the technique's table, if it is wanted. A texture
   /// that is smaller than the frame by a whole factor is enlarged by repeating texels.
   void keep_buffer(const std::string& name, const GlTexture& texture, int channels);
-  void keep_buffer(const std::string& name, Image image);  ///< row 0 on top, drawn size
+  void keep_buffer(const std::string& name, const Image& image);  ///< row 0 on top, drawn size
 
   void set_image(const GlTexture& image);  ///< RGBA, linear; alpha is coverage
   void set_image(Image image);             ///< RGBA; of the drawn size or the request's own

@@ -37,7 +37,7 @@ struct LightBlock {
   glm::vec4 shadow_slices;
   std::array<View, kMaxShadowViews> views;
 };
-static_assert(sizeof(LightBlock) == (8 + 18) * 16);
+static_assert(sizeof(LightBlock) == 16 * std::size_t{8 + 18});
 
 enum class ShadowProjection { cube, perspective, orthographic };
 ShadowProjection shadow_projection(const Light& light);
