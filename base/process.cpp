@@ -278,8 +278,8 @@ void ProcessLoop::start(const ProcessOptions& options, LineHandler on_line, Exit
   impl_->start(options, std::move(on_line), std::move(on_exit));
 }
 
-void ProcessLoop::every(std::chrono::milliseconds interval, std::function<void()> tick) {
-  impl_->tick(impl_->tick_timers.emplace(impl_->tick_timers.end(), impl_->io), interval, std::move(tick));
+void ProcessLoop::every(std::chrono::milliseconds interval, const std::function<void()>& tick) {
+  impl_->tick(impl_->tick_timers.emplace(impl_->tick_timers.end(), impl_->io), interval, tick);
 }
 
 void ProcessLoop::run() {

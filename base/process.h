@@ -51,7 +51,7 @@ class ProcessLoop {
   /// output; both handlers may start further children.
   void start(const ProcessOptions& options, LineHandler on_line, ExitHandler on_exit);
   /// Calls `tick` at the interval for as long as `run` runs.
-  void every(std::chrono::milliseconds interval, std::function<void()> tick);
+  void every(std::chrono::milliseconds interval, const std::function<void()>& tick);
   /// Returns when no child is left. On INT, TERM or HUP all children are terminated and `interrupted` is set.
   void run();
   bool interrupted() const;

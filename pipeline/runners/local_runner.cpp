@@ -29,7 +29,7 @@ void LocalRunner::start(const std::vector<const Task*>& tasks, LineHandler on_li
 }
 
 void LocalRunner::every(std::chrono::milliseconds interval, std::function<void()> tick) {
-  loop_.every(interval, std::move(tick));
+  loop_.every(interval, tick);
 }
 
 }  // namespace lightbench
