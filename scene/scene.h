@@ -78,21 +78,24 @@ struct Attenuation {
 float attenuation_factor(const Attenuation& attenuation, float d);
 
 enum class LightKind { point, directional, spot, area };
+enum class AreaShape { quad, triangle };
 
 /// colour * power is the radiance that a white diffuse surface facing the light shows where the attenuation
 /// is 1.
 struct Light {
   std::string name;
   LightKind kind = LightKind::point;
-  glm::vec3 position{0};          ///< point, spot; centre of an area light
+  glm::vec3 position{0};          ///< point, spot; centre of a quad, first corner of a triangle
   glm::vec3 direction{0, -1, 0};  ///< unit, the way the light travels; directional, spot
   glm::vec3 color{1};
   float power = 1;
   Attenuation attenuation;  ///< ignored by directional lights
   float inner_angle = 0;    ///< spot: half-angle of the full cone
   float outer_angle = 0;    ///< spot: half-angle where it ends; between them smoothstep in the cosine
-  glm::vec3 edge_u{0};      ///< area: full edges of the quad around `position`
+  AreaShape shape = AreaShape::quad;
+  glm::vec3 edge_u{0};  ///< area: full edges of the quad; from a triangle's first corner to the other two
   glm::vec3 edge_v{0};
+  glm::ivec2 points{4};  ///< area: of the grid along the edges; a triangle has x * x of equal areas
 };
 
 /// A constant emitter around the scene.
