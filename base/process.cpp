@@ -1,6 +1,7 @@
 #include "base/process.h"
 
 #include <array>
+#include <ctime>
 #include <list>
 #include <optional>
 #include <utility>  // boost/asio.hpp 1.74 uses std::exchange without it
@@ -29,6 +30,17 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kKillDelay = std::chrono::seconds(2);
 /// A child's own children may hold its pipes open; after its end they get this long.
 constexpr auto kDrainTime = std::chrono::milliseconds(500);
+/// A child is idle after so many looks in a row at a clock that stands still: where we were stopped
+/// ourselves, time that went by does not count.
+constexpr int kIdleLooks = 4;
+
+/// Processor time of a child, with all its threads.
+std::chrono::nanoseconds processor_time(pid_t child) {
+  clockid_t clock{};
+  timespec time{};
+  if (::clock_getcpuclockid(child, &clock) != 0 || ::clock_gettime(clock, &time) != 0) return {};
+  return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
+}
 
 double seconds_of(const timeval& time) {
   return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
@@ -61,6 +73,8 @@ void keep_last(std::string& text, std::size_t limit) {
 }  // namespace
 
 std::string ProcessResult::describe() const {
+  if (stalled)
+    return fmt::format("stalled: it used no processor time any more, and was ended after {:.0f} s", seconds);
   if (timed_out) return fmt::format("timed out after {:.0f} s", seconds);
   if (signal) return fmt::format("killed by signal {} ({})", signal, ::strsignal(signal));
   return fmt::format("exit code {}", exit_code);
@@ -73,13 +87,14 @@ struct ProcessLoop::Impl {
         : out(io),
           err(io),
           timer(io),
+          idle_timer(io),
           kill_timer(io),
           drain_timer(io),
           on_line(std::move(line)),
           on_exit(std::move(exit)) {}
 
     bp::async_pipe out, err;
-    asio::steady_timer timer, kill_timer, drain_timer;
+    asio::steady_timer timer, idle_timer, kill_timer, drain_timer;
     std::array<char, 4096> out_block{}, err_block{};
     std::string partial_line;
     bp::child child;
@@ -88,6 +103,8 @@ struct ProcessLoop::Impl {
     ExitHandler on_exit;
     Clock::time_point started = Clock::now();
     std::size_t keep_output = 0;
+    std::chrono::nanoseconds processor_time{0};
+    int idle_looks = 0;
     int open_pipes = 2;
     bool ended = false;
     ProcessResult result;
@@ -108,6 +125,7 @@ struct ProcessLoop::Impl {
   void reap();
   void finish_if_drained(JobIterator job);
   void terminate(JobIterator job);
+  void watch_idleness(JobIterator job, std::chrono::milliseconds interval);
   void tick(std::list<asio::steady_timer>::iterator timer, std::chrono::milliseconds interval,
             const std::function<void()>& action);
   void run();
@@ -148,6 +166,20 @@ void ProcessLoop::Impl::start(const ProcessOptions& options, LineHandler on_line
       terminate(job);
     });
   }
+  if (options.idle_timeout.count() > 0) watch_idleness(job, options.idle_timeout / kIdleLooks);
+}
+
+void ProcessLoop::Impl::watch_idleness(JobIterator job, std::chrono::milliseconds interval) {
+  job->idle_timer.expires_after(interval);
+  job->idle_timer.async_wait([this, job, interval](const boost::system::error_code& error) {
+    if (error || job->ended) return;
+    const auto used = processor_time(job->child.id());
+    job->idle_looks = used == job->processor_time ? job->idle_looks + 1 : 0;
+    job->processor_time = used;
+    if (job->idle_looks < kIdleLooks) return watch_idleness(job, interval);
+    job->result.stalled = true;
+    terminate(job);
+  });
 }
 
 void ProcessLoop::Impl::read(JobIterator job, bool is_out) {
@@ -214,6 +246,7 @@ void ProcessLoop::Impl::reap() {
 void ProcessLoop::Impl::finish_if_drained(JobIterator job) {
   if (!job->ended || job->open_pipes > 0) return;
   job->timer.cancel();
+  job->idle_timer.cancel();
   job->kill_timer.cancel();
   job->drain_timer.cancel();
   for (auto* text : {&job->result.out, &job->result.err})

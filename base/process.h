@@ -19,20 +19,23 @@ struct ProcessOptions {
   std::filesystem::path working_directory{};  ///< empty: ours
   std::map<std::string, std::string> environment{};  ///< added to ours
   std::chrono::milliseconds timeout{0};              ///< 0: none; at the end TERM, and KILL 2 s later
-  std::size_t keep_output = 1 << 20;                 ///< last bytes kept of each stream
+  std::chrono::milliseconds idle_timeout{
+      0};                             ///< 0: none; likewise, once it used no processor time for so long
+  std::size_t keep_output = 1 << 20;  ///< last bytes kept of each stream
 };
 
 struct ProcessResult {
   int exit_code = -1;  ///< -1 when a signal ended it
   int signal = 0;      ///< 0 when it ended by itself
   bool timed_out = false;
+  bool stalled = false;    ///< ended by idle_timeout
   double seconds = 0;      ///< wall clock
   double cpu_seconds = 0;  ///< user + system, with waited-for children
   std::string out;
   std::string err;
 
   bool ok() const { return exit_code == 0; }
-  /// "exit code 3", "killed by signal 9", "timed out after 5 s".
+  /// "exit code 3", "killed by signal 9", "timed out after 5 s", "stalled: ...".
   std::string describe() const;
 };
 

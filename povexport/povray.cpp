@@ -69,6 +69,7 @@ ProcessOptions process_of(const PovrayRun& run, const std::filesystem::path& fol
   process.working_directory = folder;
   process.environment = environment(folder);
   process.timeout = run.timeout;
+  process.idle_timeout = run.idle_timeout;
   return process;
 }
 

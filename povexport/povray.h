@@ -23,6 +23,8 @@ struct PovrayRun {
   int height = 768;
   int samples = 1;  ///< supersampling per axis, box-filtered in linear light
   std::chrono::milliseconds timeout{std::chrono::hours(2)};
+  /// Without memory for a thread POV-Ray 3.7 may wait for ever; at work it never rests.
+  std::chrono::milliseconds idle_timeout{std::chrono::minutes(1)};
 };
 
 struct PovrayImage {

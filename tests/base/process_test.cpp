@@ -121,5 +121,18 @@ TEST(ProcessLoop, AnInterruptEndsTheChildren) {
   EXPECT_EQ(result.signal, SIGTERM);
 }
 
+TEST(Process, OneThatWorksIsNotIdle) {
+  const auto result = run_process(
+      {.argv = {"sh", "-c", "end=$(($(date +%s) + 2)); while [ $(date +%s) -lt $end ]; do :; done"},
+       .idle_timeout = std::chrono::milliseconds(800)});
+  EXPECT_TRUE(result.ok()) << result.describe();
+}
+
+TEST(Process, OneThatRestsIsEnded) {
+  const auto result = run_process({.argv = {"sleep", "60"}, .idle_timeout = std::chrono::milliseconds(200)});
+  EXPECT_TRUE(result.stalled);
+  EXPECT_THAT(result.describe(), testing::HasSubstr("stalled"));
+}
+
 }  // namespace
 }  // namespace lightbench

@@ -68,6 +68,18 @@ TEST(FakePovray, ATimeoutEndsOneThatIgnoresTerm) {
   EXPECT_THROW(run_povray(run), Error);
 }
 
+TEST(FakePovray, OneThatWaitsForEverIsEnded) {
+  const FakePovray fake("kill -STOP $$");
+  PovrayRun run = fake.run();
+  run.idle_timeout = std::chrono::milliseconds(200);
+  try {
+    run_povray(run);
+    ADD_FAILURE() << "no error";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("povray stalled"));
+  }
+}
+
 TEST(FakePovray, AWrongSizeIsAFailure) {
   const TemporaryFolder folder;
   write_exr(folder.path() / "wrong.exr", Image(3, 2, 4, 0.5f), PixelType::half);
