@@ -209,22 +209,4 @@ std::vector<TaskOutcome> execute(const Plan& plan, Cache& cache, Runner& runner,
   return Execution(plan, cache, runner, watcher, options).run();
 }
 
-std::vector<bool> select_tasks(const Plan& plan, const std::set<TaskKind>& stages, const std::string& only) {
-  const auto in_stages = [&](const Task& task) {
-    if (stages.empty() || stages.contains(task.kind)) return true;
-    return task.kind == TaskKind::export_ && stages.contains(TaskKind::reference);
-  };
-  std::vector<bool> selected(plan.tasks.size(), false);
-  for (std::size_t i = 0; i < plan.tasks.size(); ++i) {
-    const std::string& label = plan.tasks[i].label;
-    const bool wanted = only.empty() || matches_glob(label, only) || matches_glob(label, only + "/*");
-    selected[i] = wanted && in_stages(plan.tasks[i]);
-  }
-  for (std::size_t i = plan.tasks.size(); i-- > 0;)
-    if (selected[i])
-      for (const std::size_t dep : plan.tasks[i].deps)
-        if (in_stages(plan.tasks[dep])) selected[dep] = true;
-  return selected;
-}
-
 }  // namespace lightbench

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <functional>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,10 +66,5 @@ struct ExecuteOptions {
 /// rest goes on. Throws Error only where the run itself cannot go on (the ledger cannot be written).
 std::vector<TaskOutcome> execute(const Plan& plan, Cache& cache, Runner& runner, Watcher& watcher,
                                  const ExecuteOptions& options);
-
-/// Which tasks --stages and --only choose: those of the named kinds (none: all) whose label matches the
-/// pattern, or begins with it as a path, and what they need of those kinds. An export comes with its
-/// reference.
-std::vector<bool> select_tasks(const Plan& plan, const std::set<TaskKind>& stages, const std::string& only);
 
 }  // namespace lightbench

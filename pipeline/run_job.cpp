@@ -17,6 +17,7 @@
 #include "pipeline/plan_file.h"
 #include "pipeline/progress.h"
 #include "pipeline/runners/local_runner.h"
+#include "pipeline/selection.h"
 #include "reports/report_formats.h"
 
 namespace lightbench {
@@ -37,6 +38,24 @@ void check_tools(const PreparedRun& run, const std::vector<bool>& selected) {
         run.facts.missing_tools.find(run.plan.job.references[std::size_t(task.reference)].kind);
     if (missing != run.facts.missing_tools.end()) throw Error(missing->second);
   }
+}
+
+bool any(const std::vector<bool>& selected) {
+  return std::find(selected.begin(), selected.end(), true) != selected.end();
+}
+
+/// The tasks that the options ask for; empty: all.
+std::vector<bool> selection(const Plan& plan, const Ledger& ledger, const RunOptions& options) {
+  std::vector<bool> selected;
+  if (!options.only.empty() || !options.stages.empty()) {
+    selected = select_tasks(plan, options.stages, options.only);
+    if (!any(selected)) throw Error("nothing in the job matches '" + options.only + "'", "--only");
+  }
+  if (!options.retry_failed) return selected;
+  std::vector<bool> failed = select_failed(plan, ledger.last());
+  for (std::size_t i = 0; i < selected.size(); ++i) failed[i] = failed[i] && selected[i];
+  if (!any(failed)) std::printf("no task failed the last time: there is nothing to retry\n");
+  return failed;
 }
 
 void print_end(const RunReport& report, const std::filesystem::path& out, bool interrupted) {
@@ -72,12 +91,7 @@ ExitCode run_job(const Job& job, const RunOptions& options) {
   execute_options.places =
       options.places > 0 ? options.places : int(std::max(1u, std::thread::hardware_concurrency()));
   execute_options.memory_mb = memory_mb();
-  if (!options.only.empty() || !options.stages.empty()) {
-    execute_options.selected = select_tasks(run.plan, options.stages, options.only);
-    if (std::none_of(execute_options.selected.begin(), execute_options.selected.end(),
-                     [](bool s) { return s; }))
-      throw Error("nothing in the job matches '" + options.only + "'", "--only");
-  }
+  execute_options.selected = selection(run.plan, ledger, options);
   check_tools(run, execute_options.selected);
   const auto plan_file = out / "plan.json";
   write_file_atomic(plan_file, plan_to_json(run.plan));

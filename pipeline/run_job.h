@@ -15,6 +15,7 @@ struct RunOptions {
   int places = 0;             ///< workers at a time; 0: as many as there are cores
   std::string only;           ///< pattern of task labels; empty: all
   std::set<TaskKind> stages;  ///< empty: all
+  bool retry_failed = false;  ///< only what failed the last time, and what was skipped because of it
   std::string gl = "osmesa";
 };
 

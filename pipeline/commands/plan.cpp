@@ -11,6 +11,7 @@
 #include "pipeline/executor.h"
 #include "pipeline/job_file.h"
 #include "pipeline/plan_file.h"
+#include "pipeline/selection.h"
 #include "reports/value_text.h"
 
 namespace lightbench {

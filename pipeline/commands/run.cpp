@@ -12,11 +12,13 @@ struct RunParams {
   std::string job;
   RunFlags flags;
   std::vector<std::string> stages;
+  bool retry_failed = false;
 };
 
 ExitCode run_run(const RunParams& params) {
   RunOptions options = run_options(params.flags);
   for (const auto& stage : params.stages) options.stages.insert(parse_stage(stage));
+  options.retry_failed = params.retry_failed;
   return run_job(read_job(params.job), options);
 }
 
@@ -32,6 +34,8 @@ void add_run_command(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"snapshot", "reference", "score"}));
+  command->add_flag("--retry-failed", params->retry_failed,
+                    "Only what failed the last time, and what was skipped because of it");
   command->footer(
       R"(What is already there and still valid is not done again, so a run that was interrupted or failed
 goes on with the same command. Every task runs in a process of its own; one that crashes is one failed row.
@@ -41,7 +45,8 @@ Exit codes: 0 all gates met; 1 a gate was not met; 2 a task failed, or INT or TE
 Examples:
   lightbench run jobs/cornell.json
   lightbench run jobs/rooms.json --only 'office/*' --stages snapshot
-  lightbench run jobs/rooms.json --out /data/rooms --jobs 8)");
+  lightbench run jobs/rooms.json --out /data/rooms --jobs 8
+  lightbench run jobs/rooms.json --retry-failed)");
 }
 
 }  // namespace lightbench

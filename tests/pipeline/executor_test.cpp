@@ -231,49 +231,5 @@ TEST_F(Execute, AFullDiskEndsTheRun) {
   EXPECT_THROW(run(), Error);
 }
 
-class Select : public ::testing::Test {
- protected:
-  std::set<std::string> selected(const std::set<TaskKind>& stages, const std::string& only) const {
-    const auto flags = select_tasks(plan_, stages, only);
-    std::set<std::string> ids;
-    for (std::size_t i = 0; i < flags.size(); ++i)
-      if (flags[i]) ids.insert(plan_.tasks[i].id);
-    return ids;
-  }
-
-  Plan plan_ = test::plan_of(test::concrete_job());
-};
-
-TEST_F(Select, EverythingWithoutAWish) {
-  EXPECT_EQ(selected({}, "").size(), plan_.tasks.size());
-}
-
-TEST_F(Select, AStageAlone) {
-  EXPECT_EQ(selected({TaskKind::snapshot}, "").size(), 6u);
-}
-
-TEST_F(Select, TheReferenceStageHasItsExports) {
-  EXPECT_EQ(selected({TaskKind::reference}, "two/*"),
-            (std::set<std::string>{"export:two/povray", "export:two/a/truth", "reference:two/a/truth"}));
-}
-
-TEST_F(Select, APatternBringsWhatItsTasksNeed) {
-  EXPECT_EQ(selected({}, "one/a/other"),
-            (std::set<std::string>{"snapshot:one/a/other", "score:one/a/other/truth", "snapshot:one/a/direct",
-                                   "reference:one/a/truth", "export:one/povray", "export:one/a/truth"}));
-}
-
-TEST_F(Select, AViewBringsAllThatBelongsToIt) {
-  EXPECT_EQ(selected({}, "two/a").size(), 7u);
-}
-
-TEST_F(Select, AStageIsNotLeftForWhatItsTasksNeed) {
-  EXPECT_EQ(selected({TaskKind::score}, "two/a").size(), 2u);
-}
-
-TEST_F(Select, NothingMatchesNothing) {
-  EXPECT_TRUE(selected({}, "three*").empty());
-}
-
 }  // namespace
 }  // namespace lightbench

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "pipeline/ledger.h"
+#include "pipeline/plan.h"
+
+/// Parts of a run: one flag for each task of the plan.
+namespace lightbench {
+
+/// Which tasks --stages and --only choose: those of the named kinds (none: all) whose label matches the
+/// pattern, or begins with it as a path, and what they need of those kinds. An export comes with its
+/// reference.
+std::vector<bool> select_tasks(const Plan& plan, const std::set<TaskKind>& stages, const std::string& only);
+
+/// Which tasks --retry-failed chooses: those that failed the last time, what was skipped because of them, and
+/// what all of these need.
+std::vector<bool> select_failed(const Plan& plan, const std::map<std::string, LedgerEntry>& last);
+
+}  // namespace lightbench
