@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace lightbench {
@@ -49,6 +50,18 @@ Image from_srgb8(const Image8& encoded) {
     result.data[i] =
         is_alpha(i, encoded.channels) ? float(encoded.data[i]) / 255.0f : srgb_decode8(encoded.data[i]);
   return result;
+}
+
+double mean_luminance(const Image& linear) {
+  assert(linear.channels >= 3);
+  double sum = 0, weights = 0;
+  for (std::size_t i = 0; i < linear.pixel_count(); ++i) {
+    const float* pixel = &linear.data[i * std::size_t(linear.channels)];
+    const double weight = linear.channels > 3 ? pixel[3] : 1;
+    sum += weight * (0.2126 * pixel[0] + 0.7152 * pixel[1] + 0.0722 * pixel[2]);
+    weights += weight;
+  }
+  return weights > 0 ? sum / weights : 0;
 }
 
 std::ptrdiff_t first_non_finite(const Image& image) {

@@ -18,6 +18,10 @@ Image8 to_srgb8(const Image& linear);
 /// The inverse of `to_srgb8` but for rounding.
 Image from_srgb8(const Image8& encoded);
 
+/// Mean of the linear luminance (Rec. 709) over the pixels, weighted by alpha where there is one; 0 where
+/// nothing counts.
+double mean_luminance(const Image& linear);
+
 /// Index of the first component that is NaN or infinite, or -1.
 std::ptrdiff_t first_non_finite(const Image& image);
 

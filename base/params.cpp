@@ -150,4 +150,10 @@ std::string to_text(const ParamValue& value) {
       value);
 }
 
+std::string to_text(const ParamValues& values) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : values.all()) parts.push_back(name + "=" + to_text(value));
+  return join(parts, " ");
+}
+
 }  // namespace lightbench

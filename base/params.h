@@ -64,5 +64,7 @@ ParamValue parse_param(const ParamSpec& spec, const std::string& text, const std
 
 /// Shortest text that reads back to the same value; for names, keys and reports.
 std::string to_text(const ParamValue& value);
+/// "name=value name=value", by name.
+std::string to_text(const ParamValues& values);
 
 }  // namespace lightbench

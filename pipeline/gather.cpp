@@ -52,15 +52,21 @@ class Gatherer {
   void add_sources() {
     for (const auto& variant : plan_.job.variants) {
       const Technique& technique = find_technique(variant.technique, "");
-      report_.variants.push_back({variant.name, variant.technique, params_as_text(variant_params(variant)),
-                                  technique.bounces, technique.needs_gl ? facts_.renderer : ""});
+      report_.variants.push_back({.name = variant.name,
+                                  .kind = variant.technique,
+                                  .params = params_as_text(variant_params(variant)),
+                                  .bounces = technique.bounces,
+                                  .offline = technique.offline,
+                                  .tool = technique.needs_gl ? facts_.renderer : ""});
     }
     for (const auto& reference : plan_.job.references) {
       const ParamValues params = reference_params(reference);
       const auto tool = facts_.tools.find(reference.kind);
-      report_.references.push_back({reference.name, reference.kind, params_as_text(params),
-                                    find_reference_kind(reference.kind, "").bounces(params),
-                                    tool == facts_.tools.end() ? "" : tool->second});
+      report_.references.push_back({.name = reference.name,
+                                    .kind = reference.kind,
+                                    .params = params_as_text(params),
+                                    .bounces = find_reference_kind(reference.kind, "").bounces(params),
+                                    .tool = tool == facts_.tools.end() ? "" : tool->second});
     }
     for (const auto& reference : report_.references) {
       std::vector<std::string> others;
@@ -87,6 +93,7 @@ class Gatherer {
       scene.name = plan_.job.scenes[i].name;
       scene.file = plan_.job.scenes[i].as_written;
       scene.triangles = facts.triangles;
+      scene.hash = plan_.scene_hashes[i];
       scene.warnings = facts.warnings;
       for (const auto& [kind, warnings] : facts.kind_warnings)
         for (const auto& warning : warnings) scene.warnings.push_back(kind + ": " + warning);
@@ -139,6 +146,7 @@ class Gatherer {
                                       : job.variants[std::size_t(task.variant)].name;
     image.outcome = outcome_of(i);
     image.error = outcomes_[i].reason;
+    image.key = task.key;
     if (image.outcome == Outcome::ok) {
       const std::string stem = image_stem(job, task.scene, task.view, image.source);
       image.exr = stem + ".exr";
@@ -149,6 +157,10 @@ class Gatherer {
           image.buffers[buffer] = buffer_stem(job, task.scene, task.view, image.source, buffer) + ".png";
       const LedgerEntry& entry = *outcomes_[i].entry;
       image.seconds = entry.result.seconds;
+      image.cpu_seconds = entry.result.cpu_seconds;
+      image.noise = entry.result.noise;
+      image.mean_luminance = entry.result.mean_luminance;
+      image.ray_rates = entry.result.ray_rates;
       image.cached = outcomes_[i].state == TaskState::cached;
       image.contended = entry.contended;
       image.passes = entry.result.passes;
@@ -158,8 +170,10 @@ class Gatherer {
   }
 
   void add_export(const Task& task, const std::string& stem, ReportImage& image) {
-    const std::string file =
-        stem + find_reference_kind(plan_.job.references[std::size_t(task.reference)].kind, "").view_extension;
+    const JobReference& reference = plan_.job.references[std::size_t(task.reference)];
+    const ReferenceKind& kind = find_reference_kind(reference.kind, "");
+    if (!kind.exports()) return;
+    const std::string file = stem + kind.view_suffixes(reference_params(reference)).front();
     std::error_code error;
     if (std::filesystem::exists(plan_.out / file, error)) image.pov = file;
   }
@@ -261,7 +275,7 @@ ExitCode exit_code_of(const RunReport& report) {
   if (std::any_of(report.images.begin(), report.images.end(), failed) ||
       std::any_of(report.scores.begin(), report.scores.end(), failed))
     return ExitCode::task_failed;
-  const auto passed = [](const ReportGate& gate) { return gate.passed; };
+  const auto passed = [](const ReportGate& gate) { return gate.state != GateState::not_met; };
   return std::all_of(report.gates.begin(), report.gates.end(), passed) ? ExitCode::ok : ExitCode::gate_failed;
 }
 

@@ -20,12 +20,14 @@ namespace {
 void inspect_exports(const Job& job, const JobScene& job_scene, const Scene& scene, SceneFacts& facts) {
   std::map<std::string, std::unique_ptr<SceneExport>> exports;
   for (const auto& reference : job.references) {
+    auto& parts = facts.exports.emplace_back();
+    const ReferenceKind& kind = find_reference_kind(reference.kind, "");
+    if (!kind.exports()) continue;
     auto& exported = exports[reference.kind];
     if (!exported) {
-      exported = find_reference_kind(reference.kind, "").make_export(scene);
+      exported = kind.make_export(scene);
       facts.kind_warnings[reference.kind] = exported->warnings();
     }
-    auto& parts = facts.exports.emplace_back();
     const ParamValues params = reference_params(reference);
     for (const auto& view : views_of(job_scene))
       parts.push_back(

@@ -19,6 +19,7 @@ namespace {
 
 /// Raised when a task's outputs change though nothing else in its key does.
 constexpr int kSnapshotVersion = 1;
+constexpr int kReferenceVersion = 1;
 constexpr int kScoreVersion = 1;
 
 /// Guesses for an image of a megapixel; what was measured in earlier runs replaces them.
@@ -26,12 +27,6 @@ constexpr double kSnapshotSeconds = 0.6;
 constexpr double kRadiositySeconds = 15;
 constexpr double kScoreSeconds = 0.25;
 constexpr double kTaskTimeout = 1800;
-
-std::string params_text(const ParamValues& params) {
-  std::vector<std::string> parts;
-  for (const auto& [name, value] : params.all()) parts.push_back(fmt::format("{}={}", name, to_text(value)));
-  return join(parts, " ");
-}
 
 std::string vec_text(const glm::vec3& v) {
   return fmt::format("{} {} {}", v.x, v.y, v.z);
@@ -48,6 +43,7 @@ class Planner {
     plan_.job = job;
     plan_.out = out;
     plan_.gl = facts.gl;
+    for (const auto& scene : facts.scenes) plan_.scene_hashes.push_back(key_of(scene.files));
   }
 
   Plan make() {
@@ -111,6 +107,10 @@ class Planner {
     parts.emplace_back("samples", std::to_string(job().samples));
   }
 
+  static void add_files(KeyParts& parts, const SceneFacts& facts) {
+    for (const auto& [name, hash] : facts.files) parts.emplace_back("file " + name, hash);
+  }
+
   std::size_t add_snapshot(int scene, int view, int variant_index) {
     const JobVariant& variant = job().variants[std::size_t(variant_index)];
     const Technique& technique = find_technique(variant.technique, "");
@@ -120,10 +120,10 @@ class Planner {
     task.variant = variant_index;
     const auto buffers = variant_buffers(job(), variant);
     task.key_parts = {{"version", std::to_string(kSnapshotVersion)}};
-    for (const auto& [name, hash] : facts.files) task.key_parts.emplace_back("file " + name, hash);
+    add_files(task.key_parts, facts);
     task.key_parts.emplace_back("view", view_text(camera));
     task.key_parts.emplace_back("technique", technique.name + " " + technique_fingerprint(technique));
-    task.key_parts.emplace_back("parameters", params_text(variant_params(variant)));
+    task.key_parts.emplace_back("parameters", to_text(variant_params(variant)));
     add_size(task.key_parts);
     task.key_parts.emplace_back("buffers", join(buffers, " "));
     if (technique.needs_gl) task.key_parts.emplace_back("renderer", facts_.renderer);
@@ -159,32 +159,46 @@ class Planner {
     return shared_exports_[reference.kind] = finish_task(std::move(task));
   }
 
+  std::size_t view_export(int scene, int view, int reference_index, const KeyParts& parts) {
+    const JobReference& reference = job().references[std::size_t(reference_index)];
+    Task task = start_task(TaskKind::export_, scene, view, {reference.name});
+    task.reference = reference_index;
+    task.key_parts = parts;
+    const std::string stem = image_stem(job(), scene, view, reference.name);
+    for (const auto& suffix :
+         find_reference_kind(reference.kind, "").view_suffixes(reference_params(reference)))
+      task.outputs.push_back(stem + suffix);
+    task.group = "scene " + std::to_string(scene);
+    task.expected_seconds = 0.02;
+    task.resources.memory_mb = 100;
+    return finish_task(std::move(task));
+  }
+
   std::size_t add_reference(int scene, int view, int reference_index) {
     const JobReference& reference = job().references[std::size_t(reference_index)];
     const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
-    KeyParts parts;
-    if (!facts.exports.empty()) parts = facts.exports[std::size_t(reference_index)][std::size_t(view)];
-    const std::size_t shared = shared_export(scene, reference, parts);
+    const ReferenceKind& kind = find_reference_kind(reference.kind, "");
     const std::string stem = image_stem(job(), scene, view, reference.name);
-
-    Task exported = start_task(TaskKind::export_, scene, view, {reference.name});
-    exported.reference = reference_index;
-    exported.key_parts = parts;
-    exported.outputs = {stem + find_reference_kind(reference.kind, "").view_extension};
-    exported.group = "scene " + std::to_string(scene);
-    exported.expected_seconds = 0.02;
-    exported.resources.memory_mb = 100;
-    const std::size_t export_task = finish_task(std::move(exported));
-
     Task task = start_task(TaskKind::reference, scene, view, {reference.name});
     task.reference = reference_index;
-    task.key_parts = parts;
+    if (kind.exports()) {
+      if (!facts.exports.empty())
+        task.key_parts = facts.exports[std::size_t(reference_index)][std::size_t(view)];
+      task.deps = {shared_export(scene, reference, task.key_parts),
+                   view_export(scene, view, reference_index, task.key_parts)};
+    } else {
+      add_files(task.key_parts, facts);
+      task.key_parts.emplace_back(
+          "view", view_text(views_of(job().scenes[std::size_t(scene)])[std::size_t(view)].camera));
+      task.key_parts.emplace_back("parameters", to_text(reference_params(reference)));
+      task.group = "scene " + std::to_string(scene);
+    }
+    task.key_parts.insert(task.key_parts.begin(), {"version", std::to_string(kReferenceVersion)});
     add_size(task.key_parts);
     const auto tool = facts_.tools.find(reference.kind);
     task.key_parts.emplace_back("tool", tool == facts_.tools.end() ? "none" : tool->second);
     task.outputs = {stem + ".exr", stem + ".png"};
-    task.deps = {shared, export_task};
-    const int bounces = find_reference_kind(reference.kind, "").bounces(reference_params(reference));
+    const int bounces = kind.bounces(reference_params(reference));
     task.expected_seconds =
         1 + (0.3 + megapixels()) * (bounces > 0 ? kRadiositySeconds : kRadiositySeconds / 10) * detail(facts);
     task.timeout_seconds = double(reference.timeout.count()) / 1000 + 60;

@@ -48,9 +48,10 @@ struct Task {
 
 /// A run as a graph of tasks; dependencies stand before those that need them.
 struct Plan {
-  Job job;                    ///< concrete
-  std::filesystem::path out;  ///< the run's folder, absolute
-  std::string gl;             ///< OpenGL back end
+  Job job;                                ///< concrete
+  std::filesystem::path out;              ///< the run's folder, absolute
+  std::string gl;                         ///< OpenGL back end
+  std::vector<std::string> scene_hashes;  ///< of all that each scene's files hold
   std::vector<Task> tasks;
 };
 
@@ -62,7 +63,7 @@ struct SceneFacts {
   std::vector<Credit> credits;
   KeyParts files;                                     ///< name and hash of everything that was read
   std::vector<std::vector<std::string>> unsupported;  ///< [variant]: why its technique cannot show it
-  std::vector<std::vector<KeyParts>> exports;         ///< [reference][view]
+  std::vector<std::vector<KeyParts>> exports;  ///< [reference][view]; no views where nothing is exported
   std::map<std::string, std::vector<std::string>> kind_warnings;  ///< by reference kind
 };
 

@@ -69,6 +69,7 @@ std::string plan_to_json(const Plan& plan) {
   Json json = {{"format", kPlanFormatVersion}, {"out", plan.out.string()}, {"gl", plan.gl}};
   json["job_file"] = std::filesystem::absolute(plan.job.file).string();
   json["job"] = Json::parse(job_text(plan.job));
+  json["scene_hashes"] = plan.scene_hashes;
   json["tasks"] = Json::array();
   for (const auto& task : plan.tasks) json["tasks"].push_back(task_json(task, plan.tasks));
   return json.dump(1) + "\n";
@@ -82,6 +83,7 @@ Plan read_plan(const std::filesystem::path& file) try {
   plan.out = json.at("out").get<std::string>();
   plan.gl = json.at("gl").get<std::string>();
   plan.job = parse_job(json.at("job").dump(), json.at("job_file").get<std::string>());
+  plan.scene_hashes = json.at("scene_hashes").get<std::vector<std::string>>();
   std::map<std::string, std::size_t> index;
   for (const auto& task : json.at("tasks")) {
     plan.tasks.push_back(task_of(task, index));

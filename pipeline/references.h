@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -29,7 +31,7 @@ using KeyParts = std::vector<std::pair<std::string, std::string>>;
 
 /// Files of an export: those of the scene are shared by all its views.
 struct ExportFiles {
-  std::filesystem::path view_file;  ///< the file of this view
+  std::filesystem::path view_stem;  ///< the view's files without what `view_suffixes` adds
   std::filesystem::path shared;     ///< folder of what all views of the scene share
 };
 
@@ -37,7 +39,8 @@ struct ReferenceImage {
   Image image;  ///< linear RGBA; alpha is coverage by objects
   double seconds = 0;
   double cpu_seconds = 0;
-  std::string log;
+  std::optional<double> noise;              ///< estimated mean error of the 8-bit image, of 255; if known
+  std::map<std::string, double> ray_rates;  ///< rays a second, by class of ray; of a path tracer
 };
 
 /// What a scene gives to all its reference views: made once, then asked many times.
@@ -49,22 +52,29 @@ class SceneExport {
   virtual std::vector<std::string> warnings() const = 0;
   /// Writes the files that all views share, and tells their names.
   virtual std::vector<std::string> write_shared(const std::filesystem::path& folder) const = 0;
-  virtual void write_view(const ReferenceRequest& request, const std::filesystem::path& file) const = 0;
+  /// Writes the view's files: one for each of the kind's suffixes.
+  virtual void write_view(const ReferenceRequest& request, const std::filesystem::path& stem) const = 0;
 };
 
-/// An offline renderer that gives the truth: one row in references.cpp.
+/// An offline renderer that gives the truth: one row in references.cpp. Either it renders the files of an
+/// export with a program of its own, or it is part of lightbench and renders the scene itself.
 struct ReferenceKind {
   std::string name;
   std::string doc;
   std::span<const ParamSpec> params;
   std::span<const ParamPreset> presets;
   std::string default_preset;
-  std::string view_extension;  ///< of the exported view file, with its dot
   int (*bounces)(const ParamValues& params) = nullptr;
   /// The program's version. Throws Error when it is not there.
   std::string (*tool_version)() = nullptr;
+
+  /// Of the files that a view is exported to; the first one is the view itself.
+  std::vector<std::string> (*view_suffixes)(const ParamValues& params) = nullptr;
   std::unique_ptr<SceneExport> (*make_export)(const Scene& scene) = nullptr;
-  ReferenceImage (*run)(const ReferenceRequest& request, const ExportFiles& files) = nullptr;
+  ReferenceImage (*run_export)(const ReferenceRequest& request, const ExportFiles& files) = nullptr;
+  ReferenceImage (*run_scene)(const ReferenceRequest& request, const Scene& scene) = nullptr;
+
+  bool exports() const { return make_export != nullptr; }
 };
 
 /// All kinds of references, in the order of the documentation.

@@ -20,6 +20,10 @@ nlohmann::ordered_json to_json(const TaskResult& result) {
       json["metrics"][name] = *metric.value;
     else
       json["metrics"][name] = {{"undefined", metric.undefined_because}};
+  if (result.cpu_seconds > 0) json["cpu_seconds"] = result.cpu_seconds;
+  if (result.noise) json["noise"] = *result.noise;
+  if (result.mean_luminance) json["mean_luminance"] = *result.mean_luminance;
+  if (!result.ray_rates.empty()) json["ray_rates"] = result.ray_rates;
   return json;
 }
 
@@ -36,6 +40,11 @@ TaskResult task_result_from_json(const nlohmann::ordered_json& json, const std::
       result.metrics[name] = value.is_number()
                                  ? MetricValue::of(value.get<double>())
                                  : MetricValue::undefined(value.at("undefined").get<std::string>());
+  result.cpu_seconds = json.value("cpu_seconds", 0.0);
+  if (json.contains("noise")) result.noise = json.at("noise").get<double>();
+  if (json.contains("mean_luminance")) result.mean_luminance = json.at("mean_luminance").get<double>();
+  if (json.contains("ray_rates"))
+    result.ray_rates = json.at("ray_rates").get<std::map<std::string, double>>();
   return result;
 } catch (const nlohmann::json::exception& error) {
   throw Error(std::string("not the result of a task: ") + error.what(), where);

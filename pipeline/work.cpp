@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "base/color.h"
 #include "base/error.h"
 #include "base/files.h"
 #include "base/hash.h"
@@ -70,11 +71,27 @@ struct TaskWorker::Impl {
             reference.timeout};
   }
 
+  /// What a reference image is, for whoever finds it alone.
+  ImageMetadata fingerprint(const ReferenceKind& kind, const ReferenceRequest& request,
+                            const ReferenceImage& made, const Task& task) const;
+
   TaskResult snapshot(const Task& task);
   TaskResult export_scene(const Task& task);
   TaskResult reference(const Task& task);
   TaskResult score(const Task& task);
 };
+
+ImageMetadata TaskWorker::Impl::fingerprint(const ReferenceKind& kind, const ReferenceRequest& request,
+                                            const ReferenceImage& made, const Task& task) const {
+  ImageMetadata metadata = {{"lightbench:reference", kind.name},
+                            {"lightbench:tool", kind.tool_version()},
+                            {"lightbench:settings", to_text(request.params)},
+                            {"lightbench:bounces", std::to_string(kind.bounces(request.params))},
+                            {"lightbench:scene", plan.scene_hashes[std::size_t(task.scene)]},
+                            {"lightbench:key", task.key}};
+  if (made.noise) metadata["lightbench:noise"] = fmt::format("{:.6g} of 255", *made.noise);
+  return metadata;
+}
 
 TaskResult TaskWorker::Impl::snapshot(const Task& task) {
   load(task);
@@ -110,7 +127,7 @@ TaskResult TaskWorker::Impl::export_scene(const Task& task) {
   check_same_export(task, exported.key_parts(request));
   TaskResult result;
   if (task.view != kNone) {
-    exported.write_view(request, file(task.outputs.front()));
+    exported.write_view(request, file(image_stem(job(), task.scene, task.view, reference.name)));
     return result;
   }
   const std::string folder = shared_export_folder(job(), task.scene, reference.kind);
@@ -122,13 +139,22 @@ TaskResult TaskWorker::Impl::reference(const Task& task) {
   const JobReference& reference = job().references[std::size_t(task.reference)];
   const ReferenceKind& kind = find_reference_kind(reference.kind, "");
   const std::string stem = image_stem(job(), task.scene, task.view, reference.name);
-  const ExportFiles files{file(stem + kind.view_extension),
-                          file(shared_export_folder(job(), task.scene, reference.kind))};
-  const ReferenceImage made = kind.run(reference_request(task), files);
+  const ReferenceRequest request = reference_request(task);
+  ReferenceImage made;
+  if (kind.exports()) {
+    made = kind.run_export(request, {file(stem), file(shared_export_folder(job(), task.scene, kind.name))});
+  } else {
+    load(task);
+    made = kind.run_scene(request, scene);
+  }
   TaskResult result;
   result.seconds = made.seconds;
+  result.cpu_seconds = made.cpu_seconds;
+  result.noise = made.noise;
+  result.mean_luminance = mean_luminance(made.image);
+  result.ray_rates = made.ray_rates;
   write_image_pair(file(stem + ".exr"), file(stem + ".png"), made.image,
-                   {{"lightbench:reference", reference.kind}, {"lightbench:key", task.key}});
+                   fingerprint(kind, request, made, task));
   return result;
 }
 

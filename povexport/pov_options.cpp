@@ -1,6 +1,13 @@
+#include <algorithm>
+
 #include "povexport/pov_scene.h"
 
 namespace lightbench {
+namespace {
+
+constexpr int kMaxCount = 1600;  // POV-Ray's table of directions
+
+}  // namespace
 
 std::span<const ParamSpec> pov_params() {
   static const std::vector<ParamSpec> specs = {
@@ -13,7 +20,7 @@ std::span<const ParamSpec> pov_params() {
        {},
        "factor of the gathered light; compounds with each bounce"},
       {"recursion_limit", ParamType::integer, 2LL, 1, 20, {}, "bounces of indirect light"},
-      {"count", ParamType::integer, 250LL, 1, 1600, {}, "rays of one gathering"},
+      {"count", ParamType::integer, 250LL, 1, kMaxCount, {}, "rays of one gathering"},
       {"error_bound",
        ParamType::number,
        0.25,
@@ -36,6 +43,15 @@ std::span<const ParamSpec> pov_params() {
        {},
        "block size of the last pretrace, of the width"},
       {"shadowless", ParamType::boolean, false, 0, 0, {}, "lights cast no shadows"},
+      {"estimate_noise",
+       ParamType::boolean,
+       false,
+       0,
+       0,
+       {},
+       "render a second time, with twice the rays and half the error bound, to tell how exact the reference "
+       "is; "
+       "takes about three times as long"},
   };
   return specs;
 }
@@ -63,7 +79,17 @@ PovOptions pov_options(const ParamValues& params) {
   options.pretrace_start = params.number("pretrace_start");
   options.pretrace_end = params.number("pretrace_end");
   options.shadowless = params.boolean("shadowless");
+  // Direct light alone is not sampled: a second rendering would be the same.
+  options.estimate_noise = params.boolean("estimate_noise") && options.radiosity;
   return options;
+}
+
+PovOptions second_opinion(const PovOptions& options) {
+  PovOptions finer = options;
+  finer.count = std::min(2 * options.count, kMaxCount);
+  finer.error_bound = options.error_bound / 2;
+  finer.pretrace_end = options.pretrace_end / 2;
+  return finer;
 }
 
 int pov_bounces(const PovOptions& options) {

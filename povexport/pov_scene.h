@@ -25,8 +25,11 @@ struct PovOptions {
   double pretrace_start = 0.08;
   double pretrace_end = 0.01;
   bool shadowless = false;
+  bool estimate_noise = false;  ///< who renders it does so a second time, with `second_opinion`
 };
 PovOptions pov_options(const ParamValues& params);
+/// Settings that are finer than these, so that what both images differ by tells how exact the first one is.
+PovOptions second_opinion(const PovOptions& options);
 /// Bounces of indirect light that these options give.
 int pov_bounces(const PovOptions& options);
 

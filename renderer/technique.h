@@ -53,6 +53,7 @@ struct Technique {
       shaders;      ///< embedded shader files it starts from; their text is part of cache keys
   int bounces = 0;  ///< of indirect light
   bool needs_gl = true;
+  bool offline = false;  ///< traces paths: no technique for real time, but what these could reach
   /// Why it cannot render this scene with these parameters; empty when it can.
   std::vector<std::string> (*unsupported)(const Scene& scene, const ParamValues& params) = nullptr;
   void (*render)(FrameContext& frame, const ParamValues& params) = nullptr;

@@ -32,6 +32,10 @@ struct MetricValue {
 
 enum class Better { lower, higher, neither };
 
+/// What a difference of 1 in a metric is as a difference of mean errors, to be compared with a reference's
+/// noise.
+enum class NoiseUnit { none, error, percent_of_baseline };
+
 /// One file pair in metrics/ and one row in metrics.cpp.
 struct Metric {
   std::string name;
@@ -40,8 +44,9 @@ struct Metric {
   Better better = Better::lower;
   bool needs_baseline = false;
   bool masked = false;  ///< computed over the mask's pixels where one is given
-  int version = 1;      ///< goes up whenever the same images may give another number
-  int decimals = 4;     ///< shown in tables
+  NoiseUnit noise_unit = NoiseUnit::none;
+  int version = 1;   ///< goes up whenever the same images may give another number
+  int decimals = 4;  ///< shown in tables
   MetricValue (*compute)(const MetricInput& input) = nullptr;
 };
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@
 /// The model of a run that every report is made from; it is what run.json holds (jobs/run.schema.json).
 namespace lightbench {
 
-inline constexpr int kRunFormatVersion = 1;
+inline constexpr int kRunFormatVersion = 2;
 
 enum class Outcome { ok, failed, skipped };
 
@@ -29,6 +30,7 @@ struct ReportScene {
   std::string name;
   std::string file;  ///< as the job names it
   std::size_t triangles = 0;
+  std::string hash;  ///< of what its files hold
   std::vector<std::string> warnings;
   std::vector<ReportCredit> credits;
 };
@@ -39,7 +41,8 @@ struct ReportImageSource {
   std::string kind;                           ///< technique or reference kind
   std::map<std::string, std::string> params;  ///< as text
   int bounces = 0;
-  std::string tool;  ///< renderer string, or POV-Ray's version
+  bool offline = false;  ///< a variant that traces paths: with a reference's bounces it is that one's ceiling
+  std::string tool;      ///< renderer string, or POV-Ray's version
 };
 
 /// The snapshot of a variant, or a reference image, of one view.
@@ -53,9 +56,14 @@ struct ReportImage {
   std::string png;    ///< paths relative to the run's folder
   std::string exr;
   std::string pov;  ///< of a POV-Ray reference
+  std::string key;  ///< hash of all that decides the image
   double seconds = 0;
-  bool cached = false;    ///< made by an earlier run
-  bool contended = true;  ///< other tasks ran at the same time
+  double cpu_seconds = 0;                   ///< of a reference; 0: not known
+  std::optional<double> noise;              ///< of a reference: estimated mean error, of 255
+  std::optional<double> mean_luminance;     ///< of a reference: of its object pixels, linear
+  std::map<std::string, double> ray_rates;  ///< rays a second by class of ray, of a path-traced reference
+  bool cached = false;                      ///< made by an earlier run
+  bool contended = true;                    ///< other tasks ran at the same time
   std::vector<PassSeconds> passes;
   std::vector<std::string> warnings;
   std::map<std::string, std::string> buffers;  ///< buffer name -> file
@@ -75,9 +83,15 @@ struct ReportScore {
   std::vector<std::string> warnings;    ///< e.g. another number of bounces than the reference
 };
 
+enum class GateState {
+  met,
+  not_met,
+  within_noise,  ///< met, but by less than the reference is exact: shown as a warning
+};
+
 struct ReportGate {
   std::string text;  ///< as the job wrote it
-  bool passed = false;
+  GateState state = GateState::not_met;
   std::string detail;  ///< the value, or where and why it failed
 };
 

@@ -16,7 +16,7 @@ template <typename T, typename Of>
 concept MaybeConst = std::is_same_v<std::remove_const_t<T>, Of>;
 
 // Each structure names its fields once, in the order of the file; a Writer and a Reader visit them.
-// `optional` fields are left out of the file where they are empty.
+// `optional` fields are left out of the file where they are empty, false or 0.
 
 template <typename Archive, typename T>
 void visit(Archive& archive, T& pass) requires std::is_same_v<std::remove_const_t<T>, PassSeconds> {
@@ -36,6 +36,7 @@ void visit(Archive& archive, T& scene) requires std::is_same_v<std::remove_const
   archive.required("name", scene.name);
   archive.required("file", scene.file);
   archive.required("triangles", scene.triangles);
+  archive.optional("hash", scene.hash);
   archive.optional("warnings", scene.warnings);
   archive.optional("credits", scene.credits);
 }
@@ -46,6 +47,7 @@ void visit(Archive& archive, T& source) requires std::is_same_v<std::remove_cons
   archive.required("kind", source.kind);
   archive.optional("params", source.params);
   archive.required("bounces", source.bounces);
+  archive.optional("offline", source.offline);
   archive.optional("tool", source.tool);
 }
 
@@ -60,7 +62,12 @@ void visit(Archive& archive, T& image) requires std::is_same_v<std::remove_const
   archive.optional("png", image.png);
   archive.optional("exr", image.exr);
   archive.optional("pov", image.pov);
+  archive.optional("key", image.key);
   archive.required("seconds", image.seconds);
+  archive.optional("cpu_seconds", image.cpu_seconds);
+  archive.optional("noise", image.noise);
+  archive.optional("mean_luminance", image.mean_luminance);
+  archive.optional("ray_rates", image.ray_rates);
   archive.required("cached", image.cached);
   archive.required("contended", image.contended);
   archive.optional("passes", image.passes);
@@ -86,7 +93,7 @@ void visit(Archive& archive, T& score) requires std::is_same_v<std::remove_const
 template <typename Archive, typename T>
 void visit(Archive& archive, T& gate) requires std::is_same_v<std::remove_const_t<T>, ReportGate> {
   archive.required("text", gate.text);
-  archive.required("passed", gate.passed);
+  archive.required("state", gate.state);
   archive.optional("detail", gate.detail);
 }
 
@@ -114,6 +121,17 @@ void visit(Archive& archive, T& report) requires std::is_same_v<std::remove_cons
 }
 
 constexpr const char* kOutcomeNames[] = {"ok", "failed", "skipped"};
+constexpr const char* kGateStateNames[] = {"met", "not met", "within noise"};
+
+template <typename T>
+bool is_empty(const T& value) {
+  if constexpr (std::is_arithmetic_v<T>)
+    return value == T();
+  else if constexpr (std::is_same_v<T, std::optional<double>>)
+    return !value;
+  else
+    return value.empty();
+}
 
 class Writer {
  public:
@@ -123,7 +141,7 @@ class Writer {
   }
   template <typename T>
   void optional(const char* name, const T& value) {
-    if (!value.empty()) required(name, value);
+    if (!is_empty(value)) required(name, value);
   }
 
   template <typename T>
@@ -134,6 +152,10 @@ class Writer {
       return Json(value);
     } else if constexpr (std::is_same_v<T, Outcome>) {
       return Json(kOutcomeNames[static_cast<std::size_t>(value)]);
+    } else if constexpr (std::is_same_v<T, GateState>) {
+      return Json(kGateStateNames[static_cast<std::size_t>(value)]);
+    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+      return to_json(*value);
     } else if constexpr (std::is_same_v<T, MetricValue>) {
       if (value.value && std::isfinite(*value.value)) return Json(*value.value);
       return Json{{"undefined", value.value ? "not a finite number" : value.undefined_because}};
@@ -184,7 +206,11 @@ class Reader {
     } else if constexpr (std::is_same_v<T, std::string>) {
       value = json.text();
     } else if constexpr (std::is_same_v<T, Outcome>) {
-      read_outcome(json, value);
+      read_enum(json, kOutcomeNames, value);
+    } else if constexpr (std::is_same_v<T, GateState>) {
+      read_enum(json, kGateStateNames, value);
+    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
+      value = json.number();
     } else if constexpr (std::is_same_v<T, MetricValue>) {
       read_metric_value(json, value);
     } else {
@@ -204,11 +230,12 @@ class Reader {
   }
 
  private:
-  static void read_outcome(const JsonValue& json, Outcome& value) {
-    const std::vector<std::string> names(std::begin(kOutcomeNames), std::end(kOutcomeNames));
+  template <typename Enum, std::size_t Count>
+  static void read_enum(const JsonValue& json, const char* const (&all)[Count], Enum& value) {
+    const std::vector<std::string> names(std::begin(all), std::end(all));
     const std::string name = json.choice(names);
     for (std::size_t i = 0; i < names.size(); ++i)
-      if (names[i] == name) value = static_cast<Outcome>(i);
+      if (names[i] == name) value = static_cast<Enum>(i);
   }
   static void read_metric_value(const JsonValue& json, MetricValue& value) {
     if (json.is_number()) {

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "reports/ceiling.h"
 #include "reports/escape.h"
+#include "reports/reference_facts.h"
 #include "reports/report_formats.h"
 #include "reports/value_text.h"
 
@@ -47,13 +49,32 @@ std::string scored_views(const std::vector<const ReportScore*>& scores) {
   return std::size_t(ok) == scores.size() ? std::to_string(ok) : fmt::format("{} of {}", ok, scores.size());
 }
 
+std::string mean_text(const RunReport& report, const std::string& metric, const std::string& variant,
+                      const std::string& reference) {
+  const MetricValue mean = mean_metric(report, metric, variant, reference).mean;
+  return metric == "gain" ? gain_text(mean, mean_ceiling(report, reference))
+                          : value_text(metric_or_plain(metric), mean);
+}
+
+/// How exact the references are, where it is known.
+std::string reference_lines(const RunReport& report) {
+  std::string text;
+  for (const ReferenceFacts& facts : reference_facts(report))
+    if (facts.noise)
+      text += plain_line(fmt::format("noise of {}: {:.3f} of 255, at most {:.3f}", facts.name, *facts.noise,
+                                     *facts.worst_noise)) +
+              "\n";
+  for (const std::string& line : light_share_lines(report)) text += plain_line(line) + "\n";
+  return text;
+}
+
 std::vector<std::string> summary_row(const RunReport& report, const std::string& variant,
                                      const std::string& reference, const std::string& leading) {
   const auto scores = worst_first(report, leading, variant, reference);
   const std::string mark = variant == report.baseline ? " (baseline)" : "";
   std::vector<std::string> row{name_cell(variant) + mark, name_cell(reference), scored_views(scores)};
   for (const std::string& name : report.metric_names)
-    row.push_back(value_text(metric_or_plain(name), mean_metric(report, name, variant, reference).mean));
+    row.push_back(mean_text(report, name, variant, reference));
   if (leading.empty()) return row;
   const auto worst = std::ranges::find_if(
       scores, [&](const ReportScore* score) { return metric_of(*score, leading).value.has_value(); });
@@ -80,8 +101,9 @@ std::string failure_lines(const RunReport& report) {
 std::string gate_lines(const RunReport& report) {
   std::string text;
   for (const ReportGate& gate : report.gates)
-    text += fmt::format("gate {}: {}: {}\n", gate.passed ? "met" : "NOT MET", plain_line(gate.text),
-                        plain_line(gate.detail));
+    text += fmt::format("gate {}: {}: {}\n",
+                        gate.state == GateState::not_met ? "NOT MET" : gate_state_text(gate.state),
+                        plain_line(gate.text), plain_line(gate.detail));
   return text;
 }
 
@@ -98,8 +120,8 @@ std::string terminal_summary(const RunReport& report) {
   for (const ReportImageSource& variant : report.variants)
     for (const ReportImageSource& reference : report.references)
       table.push_back(summary_row(report, variant.name, reference.name, leading));
-  return (table.size() > 1 ? aligned(table) : "") + gate_lines(report) + failure_lines(report) +
-         plain_line(verdict_text(count_outcomes(report))) + "\n";
+  return (table.size() > 1 ? aligned(table) : "") + reference_lines(report) + gate_lines(report) +
+         failure_lines(report) + plain_line(verdict_text(count_outcomes(report))) + "\n";
 }
 
 }  // namespace lightbench

@@ -50,9 +50,24 @@ RunCounts count_outcomes(const RunReport& report) {
   };
   for (const ReportImage& image : report.images) add(image);
   for (const ReportScore& score : report.scores) add(score);
-  for (const ReportGate& gate : report.gates) ++(gate.passed ? counts.gates_met : counts.gates_not_met);
+  for (const ReportGate& gate : report.gates) {
+    ++(gate.state == GateState::not_met ? counts.gates_not_met : counts.gates_met);
+    counts.gates_within_noise += gate.state == GateState::within_noise;
+  }
   counts.views = views.size();
   return counts;
+}
+
+std::string gate_state_text(GateState state) {
+  switch (state) {
+    case GateState::met:
+      return "met";
+    case GateState::not_met:
+      return "not met";
+    case GateState::within_noise:
+      return "within noise";
+  }
+  return "";
 }
 
 std::string verdict_text(const RunCounts& counts) {
@@ -64,6 +79,8 @@ std::string verdict_text(const RunCounts& counts) {
     text = fmt::format("All {} gates met", gates);
   else if (gates == 1)
     text = "The gate is met";
+  if (counts.gates_within_noise > 0 && counts.gates_not_met == 0)
+    text += fmt::format(", {} within the reference's noise", counts.gates_within_noise);
   const auto append = [&](std::size_t count, const char* what) {
     if (count == 0) return;
     text += (text.empty() ? "" : ", ") + counted(count, "task") + " " + what;

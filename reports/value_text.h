@@ -31,10 +31,14 @@ struct RunCounts {
   std::size_t views = 0;
   std::size_t failed = 0;  ///< images and scores
   std::size_t skipped = 0;
-  std::size_t gates_met = 0;
+  std::size_t gates_met = 0;  ///< those within the noise too
   std::size_t gates_not_met = 0;
+  std::size_t gates_within_noise = 0;
 };
 RunCounts count_outcomes(const RunReport& report);
+
+/// "met", "not met", "within noise".
+std::string gate_state_text(GateState state);
 
 /// "All 5 gates met", "1 of 5 gates not met, 2 tasks failed": the run in one line.
 std::string verdict_text(const RunCounts& counts);

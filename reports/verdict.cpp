@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "reports/value_text.h"
 
 namespace lightbench {
 namespace {
@@ -16,11 +17,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Sample {
   const ReportScore* score;
   MetricValue value;
+  std::optional<double> noise;  ///< of its reference image, of 255
+  std::optional<double> unit;   ///< by how much of 255 the error changes where the metric changes by 1
 };
 
 struct Judgement {
   bool passed = false;
   std::string detail;
+  std::string noise = "";  ///< why it is met by too little to be sure
 };
 
 bool matches(const std::string& name, const std::string& pattern) {
@@ -100,13 +104,36 @@ Judgement judge_each(const Gate& gate, const std::vector<Sample>& samples) {
   return {true, "all met; " + judge_worst(gate, samples).detail};
 }
 
-Judgement judge(const Gate& gate, const std::vector<Sample>& samples) {
-  std::vector<std::string> without_number;
+/// The difference of errors, of 255, that keeps a sample within the bounds.
+double margin(const Gate& gate, const Sample& sample) {
+  return -excess(gate, *sample.value.value) * *sample.unit;
+}
+
+std::string within_noise_text(double margin, double noise) {
+  return fmt::format("by {} of 255, less than the reference's noise of {}", number(margin), number(noise));
+}
+
+/// Which difference is smaller than the noise, or nothing. Samples of which neither is known do not count.
+std::string within_noise(const Gate& gate, std::vector<Sample> samples) {
+  std::erase_if(samples, [](const Sample& sample) { return !sample.noise || !sample.unit; });
+  if (samples.empty()) return "";
+  if (gate.over == Gate::Over::mean) {
+    double margins = 0, noise = 0;
+    for (const Sample& sample : samples) {
+      margins += margin(gate, sample);
+      noise += *sample.noise;
+    }
+    const double count = double(samples.size());
+    return margins < noise ? within_noise_text(margins / count, noise / count) : "";
+  }
+  std::vector<std::string> found;
   for (const Sample& sample : samples)
-    if (!sample.value.value)
-      without_number.push_back(
-          fmt::format("{} has no {}: {}", place(*sample.score), gate.metric, sample.value.undefined_because));
-  if (!without_number.empty()) return {false, some_of(without_number)};
+    if (margin(gate, sample) < *sample.noise)
+      found.push_back(place(*sample.score) + " " + within_noise_text(margin(gate, sample), *sample.noise));
+  return some_of(found);
+}
+
+Judgement judge_values(const Gate& gate, const std::vector<Sample>& samples) {
   switch (gate.over) {
     case Gate::Over::each:
       return judge_each(gate, samples);
@@ -118,13 +145,57 @@ Judgement judge(const Gate& gate, const std::vector<Sample>& samples) {
   return {false, "unknown kind of gate"};
 }
 
+Judgement judge(const Gate& gate, const std::vector<Sample>& samples) {
+  std::vector<std::string> without_number;
+  for (const Sample& sample : samples)
+    if (!sample.value.value)
+      without_number.push_back(
+          fmt::format("{} has no {}: {}", place(*sample.score), gate.metric, sample.value.undefined_because));
+  if (!without_number.empty()) return {false, some_of(without_number)};
+  Judgement judgement = judge_values(gate, samples);
+  if (judgement.passed) judgement.noise = within_noise(gate, samples);
+  return judgement;
+}
+
+std::optional<double> noise_of(const RunReport& report, const ReportScore& score) {
+  for (const ReportImage& image : report.images)
+    if (image.is_reference && image.source == score.reference && image.scene == score.scene &&
+        image.view == score.view)
+      return image.noise;
+  return std::nullopt;
+}
+
+std::optional<double> baseline_error(const RunReport& report, const ReportScore& score) {
+  for (const ReportScore& other : report.scores)
+    if (other.variant == report.baseline && other.reference == score.reference &&
+        other.scene == score.scene && other.view == score.view)
+      return metric_of(other, "mean_error").value;
+  return std::nullopt;
+}
+
+std::optional<double> unit_of(const RunReport& report, const ReportScore& score, NoiseUnit unit) {
+  switch (unit) {
+    case NoiseUnit::none:
+      return std::nullopt;
+    case NoiseUnit::error:
+      return 1;
+    case NoiseUnit::percent_of_baseline: {
+      const std::optional<double> error = baseline_error(report, score);
+      return error ? std::optional(*error / 100) : std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<Sample> samples_of(const Gate& gate, const std::string& variant, const RunReport& report) {
   const std::string& reference = gate.reference.empty() ? report.primary_reference : gate.reference;
+  const NoiseUnit unit = metric_or_plain(gate.metric).noise_unit;
   std::vector<Sample> samples;
   for (const ReportScore& score : report.scores)
     if (score.variant == variant && (reference.empty() || score.reference == reference) &&
         matches(score.scene, gate.scene) && matches(score.view, gate.view))
-      samples.push_back({&score, metric_of(score, gate.metric)});
+      samples.push_back(
+          {&score, metric_of(score, gate.metric), noise_of(report, score), unit_of(report, score, unit)});
   return samples;
 }
 
@@ -147,17 +218,20 @@ ReportGate evaluate_gate(const Gate& gate, const RunReport& report) {
     result.detail = "the gate has neither a lower nor an upper bound";
     return result;
   }
-  std::vector<std::string> met, not_met;
+  std::vector<std::string> met, not_met, uncertain;
   for (const ReportImageSource& variant : report.variants) {
     if (!matches(variant.name, gate.variant)) continue;
     const std::vector<Sample> samples = samples_of(gate, variant.name, report);
     if (samples.empty()) continue;
     const Judgement judgement = judge(gate, samples);
-    (judgement.passed ? met : not_met)
-        .push_back(variant.name == gate.variant ? judgement.detail : variant.name + ": " + judgement.detail);
+    const std::string who = variant.name == gate.variant ? "" : variant.name + ": ";
+    (judgement.passed ? met : not_met).push_back(who + judgement.detail);
+    if (!judgement.noise.empty()) uncertain.push_back(who + judgement.noise);
   }
-  result.passed = not_met.empty() && !met.empty();
+  if (not_met.empty() && !met.empty())
+    result.state = uncertain.empty() ? GateState::met : GateState::within_noise;
   result.detail = !not_met.empty() ? some_of(not_met) : met.empty() ? "no score matches" : some_of(met);
+  if (result.state == GateState::within_noise) result.detail += "; " + some_of(uncertain);
   return result;
 }
 

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "pipeline/commands/commands.h"
@@ -24,6 +25,8 @@ struct ExportParams {
 
 ExitCode run_export(const ExportParams& params) {
   const ReferenceKind& kind = find_reference_kind(params.kind, "--kind");
+  if (!kind.exports())
+    throw Error("renders scenes itself: there is nothing to export", "--kind " + kind.name);
   const ImageSize size = parse_size(params.view.size);
   const ParamValues values =
       resolve_params(kind.params, kind.presets, params.preset.empty() ? kind.default_preset : params.preset,
@@ -33,9 +36,9 @@ ExitCode run_export(const ExportParams& params) {
   const std::filesystem::path folder = params.folder;
   for (const auto& name : exported->write_shared(folder)) std::printf("%s\n", (folder / name).c_str());
   for (const auto& view : chosen_views(params.view, scene)) {
-    const auto file = folder / (escape_file_name(view.name) + kind.view_extension);
-    exported->write_view({view, size.width, size.height, params.view.samples, values, {}}, file);
-    std::printf("%s\n", file.c_str());
+    const auto stem = folder / escape_file_name(view.name);
+    exported->write_view({view, size.width, size.height, params.view.samples, values, {}}, stem);
+    for (const auto& suffix : kind.view_suffixes(values)) std::printf("%s%s\n", stem.c_str(), suffix.c_str());
   }
   for (const auto& warning : exported->warnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   return ExitCode::ok;

@@ -27,6 +27,16 @@ struct ReferenceParams {
   std::string output = "reference.exr";
 };
 
+ReferenceImage render_export(const ReferenceKind& kind, const ReferenceRequest& request, const Scene& scene) {
+  const auto exported = kind.make_export(scene);
+  const TemporaryFolder folder;
+  const auto stem = folder.path() / "view";
+  exported->write_shared(folder.path());
+  exported->write_view(request, stem);
+  for (const auto& warning : exported->warnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  return kind.run_export(request, {stem, folder.path()});
+}
+
 ExitCode run_reference(const ReferenceParams& params) {
   const std::filesystem::path output = params.output;
   if (output.extension() != ".png" && output.extension() != ".exr")
@@ -40,22 +50,20 @@ ExitCode run_reference(const ReferenceParams& params) {
                      parse_params(kind.params, params.params), "--preset");
   const Scene scene = load_scene(params.view.scene);
   const View view = chosen_view(params.view, scene);
-  const auto exported = kind.make_export(scene);
   const ReferenceRequest request{view,        size.width,
                                  size.height, params.view.samples,
                                  values,      std::chrono::milliseconds(std::llround(params.timeout * 1000))};
-  const TemporaryFolder folder;
-  const auto view_file = folder.path() / ("view" + kind.view_extension);
-  exported->write_shared(folder.path());
-  exported->write_view(request, view_file);
-  const ReferenceImage made = kind.run(request, {view_file, folder.path()});
+  const ReferenceImage made =
+      kind.exports() ? render_export(kind, request, scene) : kind.run_scene(request, scene);
   if (output.extension() == ".exr")
     write_exr(output, made.image, PixelType::half);
   else
     write_png(output, first_channels(to_srgb8(made.image), 3));
-  for (const auto& warning : exported->warnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  std::printf("%s: %.1f s (%.1f s of processor time)\n%s\n", version.c_str(), made.seconds, made.cpu_seconds,
-              output.c_str());
+  std::printf("%s: %.1f s (%.1f s of processor time)\n", version.c_str(), made.seconds, made.cpu_seconds);
+  for (const auto& [name, rate] : made.ray_rates)
+    std::printf("%s rays: %.2f million a second\n", name.c_str(), rate / 1e6);
+  if (made.noise) std::printf("estimated error: %.3f of 255\n", *made.noise);
+  std::printf("%s\n", output.c_str());
   return ExitCode::ok;
 }
 

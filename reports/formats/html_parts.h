@@ -46,7 +46,8 @@ std::string html_data(const RunReport& report, const ViewRows& rows);
 
 /// Escaped for HTML.
 std::string h(std::string_view text);
-/// A <td> with a number: the text, its tooltip, and the value that sorting uses.
-std::string number_cell(const std::string& metric, const MetricValue& value, const std::string& classes = "");
+/// A <td> with a number: the text, its tooltip, and the value that sorting uses. `ceiling` stands beside a
+/// gain.
+std::string number_cell(const std::string& metric, const MetricValue& value, const MetricValue& ceiling);
 
 }  // namespace lightbench

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/ceiling.h"
 #include "reports/escape.h"
 #include "reports/formats/html_parts.h"
 #include "reports/value_text.h"
@@ -27,8 +28,11 @@ std::string time_text(const ReportImage& image) {
 
 std::string time_title(const ReportImage& image) {
   std::string title = image.contended ? "Other tasks ran at the same time: not a measurement." : "";
-  for (const PassSeconds& pass : image.passes)
-    title += fmt::format("{}{}: {}", title.empty() ? "" : "\n", pass.name, duration_text(pass.seconds));
+  const auto add = [&](const std::string& line) { title += (title.empty() ? "" : "\n") + line; };
+  for (const PassSeconds& pass : image.passes) add(pass.name + ": " + duration_text(pass.seconds));
+  if (image.cpu_seconds > 0) add("processor time: " + duration_text(image.cpu_seconds));
+  for (const auto& [name, rate] : image.ray_rates)
+    add(fmt::format("{} rays: {:.1f} million a second", name, rate / 1e6));
   return title;
 }
 
@@ -104,7 +108,8 @@ std::string score_caption(const RunReport& report, const ReportScore* score) {
     const Metric metric = metric_or_plain(name);
     text += fmt::format("<span class=\"number{}\" title=\"{}\"><i>{}</i> {}</span>", sign_class(name, value),
                         h(value.value ? metric.doc : value.undefined_because), h(metric_heading(metric)),
-                        h(value_text(metric, value, "–")));
+                        h(metric.name == "gain" && value.value ? gain_text(value, ceiling_of(report, *score))
+                                                               : value_text(metric, value, "–")));
   }
   for (const std::string& warning : score->warnings)
     text += fmt::format("<span class=\"warn\" title=\"{}\">warning</span>", h(warning));
@@ -118,6 +123,7 @@ std::vector<std::string> best_variants(const RunReport& report, const View& view
   double smallest = kInfinity;
   std::size_t known = 0;
   for (const ReportImageSource& variant : report.variants) {
+    if (variant.offline) continue;  // it is there to show what is left to win
     const ReportScore* score = view.score(variant.name, reference);
     const MetricValue error = score ? metric_of(*score, "mean_error") : MetricValue::undefined("");
     if (!error.value) continue;
@@ -153,6 +159,15 @@ std::string sort_keys(const RunReport& report, const View& view, const std::stri
   return keys;
 }
 
+std::string noise_caption(const View& view, const std::string& reference) {
+  const ReportImage* image = view.image(reference);
+  if (!image || !image->noise) return "";
+  return fmt::format(
+      "<span class=\"number\" title=\"estimated mean error of this reference, of 255\"><i>noise</i> ±{:.3f}"
+      "</span>",
+      *image->noise);
+}
+
 std::string picture_row(const RunReport& report, const View& view, std::size_t index,
                         const std::string& reference, bool first_of_view) {
   std::string row = fmt::format(
@@ -163,7 +178,7 @@ std::string picture_row(const RunReport& report, const View& view, std::size_t i
   if (!reference.empty())
     row += picture_or_error(report, view, reference, nullptr) +
            "<div class=\"caption\"><span class=\"number\"><i>" + h(reference) + "</i></span>" +
-           time_caption(view, reference) + "</div>";
+           noise_caption(view, reference) + time_caption(view, reference) + "</div>";
   row += "</th>";
   const std::vector<std::string> best = best_variants(report, view, reference);
   for (const ReportImageSource& variant : report.variants)

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "reports/ceiling.h"
 #include "reports/escape.h"
 #include "reports/formats/html_parts.h"
+#include "reports/reference_facts.h"
 #include "reports/value_text.h"
 
 namespace lightbench {
@@ -86,7 +88,7 @@ std::string means_row(const RunReport& report, const Scale& scale, const std::st
     if (mean.undefined > 0 && mean.count > 0)
       note = fmt::format("<small title=\"{} without a value\">of {}</small>", counted(mean.undefined, "view"),
                          mean.count);
-    std::string cell = number_cell(name, mean.mean);
+    std::string cell = number_cell(name, mean.mean, mean_ceiling(report, reference.name));
     row += note.empty() ? cell : cell.insert(cell.size() - 5, note);
   }
   return row + "</tr>\n";
@@ -106,13 +108,48 @@ std::string score_row(const RunReport& report, const ViewRows::View& view, std::
                          shortened(clean_utf8(score.error), 200)));
     return row + "</tr>\n";
   }
-  for (const std::string& name : report.metric_names) row += number_cell(name, metric_of(score, name));
+  const MetricValue ceiling = ceiling_of(report, score);
+  for (const std::string& name : report.metric_names)
+    row += number_cell(name, metric_of(score, name), ceiling);
   const ReportImage* image = view.image(score.variant);
   row += image && image->outcome == Outcome::ok
              ? fmt::format("<td class=\"number\" data-v=\"{:.6g}\">{}{}</td>", image->seconds,
                            image->contended ? "≈ " : "", duration_text(image->seconds))
              : "<td class=\"number dim\">–</td>";
   return row + "</tr>\n";
+}
+
+struct GateLook {
+  const char* css;
+  const char* text;
+};
+/// In the order of GateState.
+constexpr GateLook kGateLooks[] = {{"good", "✓ met"}, {"bad", "✗ not met"}, {"warn", "≈ within noise"}};
+
+std::string optional_number(const std::optional<double>& value, double factor, int decimals) {
+  return value ? fmt::format("<td class=\"number\">{:.{}f}</td>", factor * *value, decimals)
+               : "<td class=\"number dim\">–</td>";
+}
+
+/// How exact each reference is; only where something is known of it.
+std::string reference_table(const RunReport& report) {
+  const std::vector<ReferenceFacts> all = reference_facts(report);
+  if (std::ranges::none_of(all, [](const ReferenceFacts& f) { return f.noise || f.light_share; })) return "";
+  std::string html =
+      "<h3>How exact the references are</h3>\n<div class=\"scroll\"><table class=\"sortless\" "
+      "id=\"exactness\"><thead><tr><th scope=\"col\">Reference</th><th scope=\"col\" "
+      "class=\"number\">Bounces</th><th scope=\"col\" class=\"number\" title=\"Estimated mean error of the "
+      "image, of 255, mean over the views\">Noise</th><th scope=\"col\" class=\"number\">Worst</th>"
+      "<th scope=\"col\" class=\"number\" title=\"Luminance as a share of the reference with the most "
+      "bounces\">Light %</th><th scope=\"col\" class=\"number\">Time a view</th></tr></thead>\n<tbody>\n";
+  for (const ReferenceFacts& facts : all)
+    html += fmt::format(
+        "<tr><th scope=\"row\">{}<small>{}</small></th><td class=\"number\">{}</td>{}{}{}<td "
+        "class=\"number\">{}</td></tr>\n",
+        h(facts.name), h(facts.kind), facts.bounces, optional_number(facts.noise, 1, 3),
+        optional_number(facts.worst_noise, 1, 3), optional_number(facts.light_share, 100, 1),
+        facts.views > 0 ? duration_text(facts.seconds) : "–");
+  return html + "</tbody></table></div>\n";
 }
 
 std::string list_of(const std::vector<std::string>& items, const char* classes) {
@@ -146,14 +183,13 @@ ViewRows::ViewRows(const RunReport& report) {
     view_of(score.scene, score.view).scores[{score.variant, score.reference}] = &score;
 }
 
-std::string number_cell(const std::string& metric, const MetricValue& value, const std::string& classes) {
-  const Metric row = metric_or_plain(metric);
+std::string number_cell(const std::string& metric, const MetricValue& value, const MetricValue& ceiling) {
   if (!value.value)
-    return fmt::format("<td class=\"number dim {}\" title=\"{}\">–</td>", classes,
-                       h(value.undefined_because));
-  const char* sign = metric != "gain" ? "" : *value.value > 0 ? " good" : *value.value < 0 ? " bad" : "";
-  return fmt::format("<td class=\"number{} {}\" data-v=\"{:.9g}\">{}</td>", sign, classes, *value.value,
-                     value_text(row, value));
+    return fmt::format("<td class=\"number dim\" title=\"{}\">–</td>", h(value.undefined_because));
+  const bool is_gain = metric == "gain";
+  const char* sign = !is_gain ? "" : *value.value > 0 ? " good" : *value.value < 0 ? " bad" : "";
+  return fmt::format("<td class=\"number{}\" data-v=\"{:.9g}\">{}</td>", sign, *value.value,
+                     is_gain ? gain_text(value, ceiling) : value_text(metric_or_plain(metric), value));
 }
 
 std::string html_summary(const RunReport& report, const ViewRows&) {
@@ -177,9 +213,12 @@ std::string html_summary(const RunReport& report, const ViewRows&) {
   for (const ReportImageSource& variant : report.variants)
     for (const ReportImageSource& reference : report.references)
       html += means_row(report, scale, leading, variant, reference);
-  return html +
-         "</tbody></table></div>\n<p class=\"note\">Means over the views. ↓ lower is better, ↑ higher is "
-         "better.</p></section>\n";
+  html +=
+      "</tbody></table></div>\n<p class=\"note\">Means over the views. ↓ lower is better, ↑ higher is "
+      "better.";
+  if (std::ranges::any_of(report.references, [&](const auto& r) { return ceiling_variant(report, r.name); }))
+    html += " Beside a gain stands its ceiling: what a path-traced image with the reference's bounces gains.";
+  return html + "</p>\n" + reference_table(report) + "</section>\n";
 }
 
 std::string html_gates(const RunReport& report) {
@@ -190,8 +229,8 @@ std::string html_gates(const RunReport& report) {
       "<th scope=\"col\">Rule</th><th scope=\"col\">Found</th></tr></thead>\n<tbody>\n";
   for (const ReportGate& gate : report.gates)
     html += fmt::format("<tr><td class=\"state {}\">{}</td><td><code>{}</code></td><td>{}</td></tr>\n",
-                        gate.passed ? "good" : "bad", gate.passed ? "✓ met" : "✗ not met", h(gate.text),
-                        h(gate.detail));
+                        kGateLooks[std::size_t(gate.state)].css, kGateLooks[std::size_t(gate.state)].text,
+                        h(gate.text), h(gate.detail));
   return html + "</tbody></table></div></section>\n";
 }
 

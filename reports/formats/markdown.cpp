@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "reports/ceiling.h"
 #include "reports/escape.h"
+#include "reports/reference_facts.h"
 #include "reports/value_text.h"
 
 namespace lightbench {
@@ -50,7 +52,8 @@ std::string means(const RunReport& report) {
       std::vector<std::string> cells{cell(variant.name), cell(reference.name), std::to_string(scores)};
       for (const Metric& metric : shown) {
         const MeanValue mean = mean_metric(report, metric.name, variant.name, reference.name);
-        cells.push_back(value_text(metric, mean.mean));
+        cells.push_back(metric.name == "gain" ? gain_text(mean.mean, mean_ceiling(report, reference.name))
+                                              : value_text(metric, mean.mean));
         if (mean.undefined > 0 && mean.count > 0) cells.back() += fmt::format(" (of {})", mean.count);
       }
       text += row(cells);
@@ -59,15 +62,39 @@ std::string means(const RunReport& report) {
   return text + more(rows) + "\n";
 }
 
+std::string gate_cell(GateState state) {
+  const std::string text = gate_state_text(state);
+  return state == GateState::met ? text : "**" + text + "**";
+}
+
 std::string gates(const RunReport& report) {
   if (report.gates.empty()) return "";
   std::string text = "### Gates\n\n" + row({"", "gate", "result"}) + row({":--", ":--", ":--"});
   std::vector<const ReportGate*> order;
   for (const ReportGate& gate : report.gates) order.push_back(&gate);
-  std::stable_partition(order.begin(), order.end(), [](const ReportGate* gate) { return !gate->passed; });
+  std::stable_partition(order.begin(), order.end(),
+                        [](const ReportGate* gate) { return gate->state != GateState::met; });
   for (std::size_t i = 0; i < std::min(order.size(), kRows); ++i)
-    text += row({order[i]->passed ? "met" : "**not met**", cell(order[i]->text), cell(order[i]->detail)});
+    text += row({gate_cell(order[i]->state), cell(order[i]->text), cell(order[i]->detail)});
   return text + more(order.size()) + "\n";
+}
+
+std::string optional_cell(const std::optional<double>& value, double factor, int decimals) {
+  return value ? fmt::format("{:.{}f}", factor * *value, decimals) : "-";
+}
+
+std::string references(const RunReport& report) {
+  const std::vector<ReferenceFacts> all = reference_facts(report);
+  if (std::ranges::none_of(all, [](const ReferenceFacts& f) { return f.noise || f.light_share; })) return "";
+  std::string text =
+      "### How exact the references are\n\n" +
+      row({"reference", "kind", "bounces", "noise of 255", "worst noise", "light %", "seconds a view"}) +
+      row({":--", ":--", "--:", "--:", "--:", "--:", "--:"});
+  for (const ReferenceFacts& facts : all)
+    text += row({cell(facts.name), cell(facts.kind), std::to_string(facts.bounces),
+                 optional_cell(facts.noise, 1, 3), optional_cell(facts.worst_noise, 1, 3),
+                 optional_cell(facts.light_share, 100, 1), fmt::format("{:.1f}", facts.seconds)});
+  return text + "\n";
 }
 
 std::string worst_views(const RunReport& report) {
@@ -114,7 +141,7 @@ std::vector<ReportFile> write_markdown(const RunReport& report) {
   text += fmt::format("{} of {}x{}", counted(counts.views, "view"), report.width, report.height);
   if (!report.baseline.empty()) text += ", baseline " + cell(report.baseline);
   text += fmt::format(", {}.\n\n", duration_text(report.seconds));
-  text += failures(report) + gates(report) + means(report) + worst_views(report);
+  text += failures(report) + gates(report) + means(report) + references(report) + worst_views(report);
   return {{"summary.md", text}};
 }
 

@@ -50,5 +50,14 @@ TEST(Color, BoxDownsampleIsTheMeanOfEachBlock) {
   EXPECT_FLOAT_EQ(result.data[1], 10.0f);
 }
 
+TEST(MeanLuminance, WeighsComponentsAndCoverage) {
+  Image image(2, 1, 4);
+  image.data = {1, 1, 1, 1, 0, 5, 0, 0};
+  EXPECT_NEAR(mean_luminance(image), 1, 1e-12);
+  image.data = {0, 1, 0, 0.5f, 0, 0, 0, 0.5f};
+  EXPECT_NEAR(mean_luminance(image), 0.7152 / 2, 1e-7);
+  EXPECT_EQ(mean_luminance(Image(1, 1, 4)), 0);
+}
+
 }  // namespace
 }  // namespace lightbench

@@ -89,7 +89,7 @@ TEST_F(GlRun, AGateThatIsNotMetIsExitCode1) {
   write_job(R"(, "gates": [{"metric": "gain", "variant": "lit", "min": 100}])");
   const auto result = run_job();
   EXPECT_EQ(result.exit_code, 1) << result.out << result.err;
-  EXPECT_FALSE(report().at("gates").at(0).at("passed").get<bool>());
+  EXPECT_EQ(report().at("gates").at(0).at("state"), "not met");
 }
 
 TEST_F(GlRun, AGateThatIsMetIsExitCode0) {

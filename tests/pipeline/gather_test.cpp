@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "job_fixture.h"
+#include "pipeline/selection.h"
 
 namespace lightbench {
 namespace {
@@ -81,7 +82,7 @@ TEST_F(Gather, AGateThatIsNotMetDecides) {
   outcome("score:one/b/other/truth").entry->result.metrics["gain"] = MetricValue::of(24.9);
   const RunReport made = report();
   ASSERT_EQ(made.gates.size(), 1u);
-  EXPECT_FALSE(made.gates[0].passed);
+  EXPECT_EQ(made.gates[0].state, GateState::not_met);
   EXPECT_EQ(exit_code_of(made, outcomes_, selected_), ExitCode::gate_failed);
 }
 
@@ -95,7 +96,7 @@ TEST_F(Gather, APartOfARunIsJudgedByWhatIsThere) {
   set("score:two/a/other/truth", TaskState::skipped, "not asked for");
   const RunReport made = report();
   ASSERT_EQ(made.gates.size(), 1u);
-  EXPECT_TRUE(made.gates[0].passed);
+  EXPECT_EQ(made.gates[0].state, GateState::met);
   EXPECT_EQ(exit_code_of(made, outcomes_, selected_), ExitCode::ok);
 }
 

@@ -68,7 +68,7 @@ TEST(ReportFormats, TerminalSummaryIsAsApproved) {
 TEST(ReportFormats, AllAreWrittenIntoTheFolder) {
   const TemporaryFolder folder;
   write_reports(sample_run(), folder.path());
-  for (const char* name : {"index.html", "run.json", "junit.xml", "summary.md", "res.txt"})
+  for (const char* name : {"index.html", "run.json", "junit.xml", "summary.md", "res-isr-48.txt"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
 }
 
@@ -130,7 +130,7 @@ TEST(JunitReport, HasNoByteThatXmlForbids) {
 TEST(JunitReport, CountsFailuresAndErrors) {
   const std::string text = written("junit");
   EXPECT_THAT(text,
-              HasSubstr("<testsuites name=\"rooms &amp; more\" tests=\"12\" failures=\"1\" errors=\"2\""));
+              HasSubstr("<testsuites name=\"rooms &amp; more\" tests=\"16\" failures=\"1\" errors=\"2\" skipped=\"1\""));
 }
 
 TEST(MarkdownReport, HostileTextCannotMakeCellsOrMarkup) {
@@ -143,8 +143,8 @@ TEST(MarkdownReport, StaysSmallForAHugeRun) {
   RunReport run = sample_run();
   const std::string long_text(5000, '|');
   for (int i = 0; i < 3000; ++i) {
-    run.variants.push_back({"v" + std::to_string(i) + long_text, "isr", {}, 0, ""});
-    run.gates.push_back({long_text, false, long_text});
+    run.variants.push_back({"v" + std::to_string(i) + long_text, "isr", {}, 0, false, ""});
+    run.gates.push_back({long_text, GateState::not_met, long_text});
     run.scores.push_back(run.scores[3]);
     run.scores.back().error = long_text;
   }
@@ -159,14 +159,14 @@ TEST(ResReport, NamesHaveNoBlanks) {
 
 TEST(ResReport, OneFileForEachVariant) {
   RunReport run = sample_run();
-  run.variants.push_back({"a b", "isr", {}, 1, ""});
+  run.variants.push_back({"a b", "isr", {}, 1, false, ""});
   for (const ReportFormat& row : report_formats()) {
     if (row.name != "res") continue;
     const auto files = row.write(run);
-    ASSERT_EQ(files.size(), 2u);
+    ASSERT_EQ(files.size(), 3u);
     EXPECT_EQ(files[0].name, "res-isr-48.txt");
-    EXPECT_EQ(files[1].name, "res-a%20b.txt");
-    EXPECT_EQ(files[1].text, "undefined vs. undefined\nundefined vs. undefined\n");
+    EXPECT_EQ(files[2].name, "res-a%20b.txt");
+    EXPECT_EQ(files[2].text, "undefined vs. undefined\nundefined vs. undefined\n");
   }
 }
 

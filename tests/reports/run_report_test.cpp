@@ -59,13 +59,19 @@ TEST(RunReportJson, KeepsEveryKindOfField) {
   EXPECT_EQ(run.scenes[0].triangles, 297123u);
   EXPECT_EQ(run.scenes[0].credits[0].license, "CC-BY 3.0");
   EXPECT_EQ(run.variants[1].params.at("samples"), "48");
-  EXPECT_EQ(run.images[2].passes[1].seconds, 0.375);
-  EXPECT_TRUE(run.images[1].cached);
+  EXPECT_EQ(run.images[3].passes[1].seconds, 0.375);
+  EXPECT_TRUE(run.images[2].cached);
   EXPECT_TRUE(run.images[0].is_reference);
   EXPECT_EQ(run.scores[3].outcome, Outcome::failed);
   EXPECT_EQ(run.scores[2].metrics.at("pearson"), MetricValue::undefined("the reference is constant"));
   EXPECT_EQ(run.scores[1].metrics.at("gain"), MetricValue::of(25));
-  EXPECT_FALSE(run.gates[0].passed);
+  EXPECT_EQ(run.gates[0].state, GateState::not_met);
+  EXPECT_EQ(run.gates[2].state, GateState::within_noise);
+  EXPECT_EQ(run.images[0].noise, 0.25);
+  EXPECT_FALSE(run.images[1].noise);
+  EXPECT_EQ(run.images[1].ray_rates.at("primary"), 8e6);
+  EXPECT_EQ(run.images[0].key, "0123456789abcdef");
+  EXPECT_TRUE(run.variants[2].offline);
 }
 
 TEST(RunReportJson, MeetsItsSchema) {
@@ -114,7 +120,7 @@ TEST(RunReportJson, AnotherFormatIsAnErrorOfItsOwn) {
   nlohmann::json document = sample_json();
   document["format"] = kRunFormatVersion + 1;
   document["something_new"] = 1;
-  EXPECT_THAT(error_of(document), AllOf(HasSubstr("format 2"), HasSubstr("reads format 1")));
+  EXPECT_THAT(error_of(document), AllOf(HasSubstr("format 3"), HasSubstr("reads format 2")));
 }
 
 TEST(RunReportJson, TruncatedTextIsAnError) {

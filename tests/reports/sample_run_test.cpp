@@ -33,7 +33,16 @@ void add_view(RunReport& run, const std::string& scene, const std::string& view,
   ReportImage reference = image(scene, view, "povray", folder, 41.5);
   reference.is_reference = true;
   reference.pov = folder + "povray.pov";
+  reference.key = "0123456789abcdef";
+  reference.cpu_seconds = 41;
+  reference.noise = 0.25;
+  reference.mean_luminance = 0.45;
   run.images.push_back(reference);
+  ReportImage converged = image(scene, view, "converged", folder, 90);
+  converged.is_reference = true;
+  converged.mean_luminance = 0.5;
+  converged.ray_rates = {{"primary", 8e6}, {"shadow", 1.25e7}};
+  run.images.push_back(converged);
   run.images.push_back(image(scene, view, "direct", folder, 0.25));
   run.images.push_back(image(scene, view, "isr-48", folder, 0.5));
   run.images.back().passes = {{"g-buffer", 0.125}, {"gather", 0.375}};
@@ -50,11 +59,13 @@ void describe_job(RunReport& run) {
   run.primary_reference = "povray";
   run.metric_names = {"mean_error", "pearson", "gain"};
   run.tools = {{"POV-Ray", "3.7.0.10"}, {"lightbench", "0.1.0"}};
-  run.variants = {{"direct", "direct", {{"shadows", "esm"}}, 0, "llvmpipe"},
-                  {"isr-48", "isr", {{"samples", "48"}}, 1, "llvmpipe"}};
-  run.references = {{"povray", "povray", {{"count", "250"}}, 2, "POV-Ray 3.7.0.10"}};
-  run.scenes = {{"office", "office.json", 297123, {}, {{"chair", "someone", "CC-BY 3.0"}}},
-                {kHostileScene, "x.obj", 12, {"map_Bump is not used"}, {}}};
+  run.variants = {{"direct", "direct", {{"shadows", "esm"}}, 0, false, "llvmpipe"},
+                  {"isr-48", "isr", {{"samples", "48"}}, 1, false, "llvmpipe"},
+                  {"path", "path_tracer", {{"bounces", "2"}}, 2, true, ""}};
+  run.references = {{"povray", "povray", {{"count", "250"}}, 2, false, "POV-Ray 3.7.0.10"},
+                    {"converged", "path_tracer", {{"bounces", "16"}}, 16, false, "path tracer 1"}};
+  run.scenes = {{"office", "office.json", 297123, "00ff", {}, {{"chair", "someone", "CC-BY 3.0"}}},
+                {kHostileScene, "x.obj", 12, "", {"map_Bump is not used"}, {}}};
 }
 
 }  // namespace
@@ -72,13 +83,15 @@ RunReport sample_run() {
   run.scores[3].outcome = Outcome::failed;
   run.scores[3].error = kHostileError;
   run.scores[3].difference_png = run.scores[3].heat_png = "";
+  run.scores.push_back(score("office", "desk", "path", "views/office/desk/", {0.4, 0.999, 95}));
   run.images.back().outcome = Outcome::failed;
   run.images.back().error = kHostileError;
   run.images.back().png = run.images.back().exr = "";
-  run.images[1].cached = true;
+  run.images[2].cached = true;
   run.scores[1].warnings = {"1 bounce compared with a reference of 2"};
-  run.gates = {{"{\"metric\":\"gain\",\"variant\":\"isr-48\",\"min\":0}", false, kHostileError},
-               {"mean mean_error of direct <= 10", true, "6 mean of 2 views"}};
+  run.gates = {{"{\"metric\":\"gain\",\"variant\":\"isr-48\",\"min\":0}", GateState::not_met, kHostileError},
+               {"mean mean_error of direct <= 10", GateState::met, "6 mean of 2 views"},
+               {"mean mean_error of direct <= 6.1", GateState::within_noise, "6 mean of 2 views; by 0.1"}};
   return run;
 }
 

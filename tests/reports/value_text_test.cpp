@@ -39,7 +39,8 @@ TEST(CountOutcomes, CountsViewsFailuresAndGates) {
   const RunCounts counts = count_outcomes(test::sample_run());
   EXPECT_EQ(counts.views, 2u);
   EXPECT_EQ(counts.failed, 2u);
-  EXPECT_EQ(counts.gates_met, 1u);
+  EXPECT_EQ(counts.gates_met, 2u);
+  EXPECT_EQ(counts.gates_within_noise, 1u);
   EXPECT_EQ(counts.gates_not_met, 1u);
 }
 

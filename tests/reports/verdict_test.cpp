@@ -23,7 +23,8 @@ ReportScore score(const std::string& view, const std::string& variant, double ga
 RunReport run_of(std::vector<ReportScore> scores) {
   RunReport run;
   run.primary_reference = "povray";
-  for (const char* name : {"direct", "isr-24", "isr-48"}) run.variants.push_back({name, "", {}, 0, ""});
+  for (const char* name : {"direct", "isr-24", "isr-48"})
+    run.variants.push_back({name, "", {}, 0, false, ""});
   run.scores = std::move(scores);
   return run;
 }
@@ -42,33 +43,33 @@ const RunReport kRun =
     run_of({score("a/1", "isr-48", 10), score("a/2", "isr-48", 40), score("b/1", "isr-48", 4)});
 
 TEST(Gate, MeanLooksAtTheMean) {
-  EXPECT_TRUE(evaluate_gate(gate(Gate::Over::mean, 18), kRun).passed);
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::mean, 18), kRun).state, GateState::met);
   const ReportGate failed = evaluate_gate(gate(Gate::Over::mean, 18.5), kRun);
-  EXPECT_FALSE(failed.passed);
+  EXPECT_EQ(failed.state, GateState::not_met);
   EXPECT_EQ(failed.detail, "18 mean of 3 views, below 18.5");
 }
 
 TEST(Gate, BoundsAreInclusive) {
-  EXPECT_TRUE(evaluate_gate(gate(Gate::Over::mean, 18, 18), kRun).passed);
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::mean, 18, 18), kRun).state, GateState::met);
 }
 
 TEST(Gate, WorstNamesTheViewForALowerBound) {
   const ReportGate result = evaluate_gate(gate(Gate::Over::worst, 5), kRun);
-  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.state, GateState::not_met);
   EXPECT_EQ(result.detail, "4 on b/1, the worst of 3 views, below 5");
 }
 
 TEST(Gate, WorstIsTheLargestForAnUpperBound) {
   const ReportGate result = evaluate_gate(gate(Gate::Over::worst, std::nullopt, 30), kRun);
-  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.state, GateState::not_met);
   EXPECT_THAT(result.detail, HasSubstr("40 on a/2"));
 }
 
 TEST(Gate, EachListsEveryViewThatBreaksIt) {
   const ReportGate result = evaluate_gate(gate(Gate::Over::each, 20), kRun);
-  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.state, GateState::not_met);
   EXPECT_EQ(result.detail, "2 of 3 views: 10 on a/1, below 20; 4 on b/1, below 20");
-  EXPECT_TRUE(evaluate_gate(gate(Gate::Over::each, 4), kRun).passed);
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::each, 4), kRun).state, GateState::met);
 }
 
 TEST(Gate, UndefinedValueIsNotMetAndSaysWhy) {
@@ -76,7 +77,7 @@ TEST(Gate, UndefinedValueIsNotMetAndSaysWhy) {
   run.scores[0].metrics["gain"] = MetricValue::undefined("the baseline has no error");
   for (const auto over : {Gate::Over::each, Gate::Over::mean, Gate::Over::worst}) {
     const ReportGate result = evaluate_gate(gate(over, -1000), run);
-    EXPECT_FALSE(result.passed);
+    EXPECT_EQ(result.state, GateState::not_met);
     EXPECT_EQ(result.detail, "a/1 has no gain: the baseline has no error");
   }
 }
@@ -85,7 +86,7 @@ TEST(Gate, NotANumberIsNotMet) {
   RunReport run = kRun;
   run.scores[1].metrics["gain"] = MetricValue::of(std::nan(""));
   for (const auto over : {Gate::Over::each, Gate::Over::mean, Gate::Over::worst})
-    EXPECT_FALSE(evaluate_gate(gate(over, -1000, 1000), run).passed);
+    EXPECT_EQ(evaluate_gate(gate(over, -1000, 1000), run).state, GateState::not_met);
 }
 
 TEST(Gate, FailedTaskIsNotMetAndSaysWhy) {
@@ -93,35 +94,35 @@ TEST(Gate, FailedTaskIsNotMetAndSaysWhy) {
   run.scores[2].outcome = Outcome::failed;
   run.scores[2].error = "killed by signal 9";
   const ReportGate result = evaluate_gate(gate(Gate::Over::mean, 0), run);
-  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.state, GateState::not_met);
   EXPECT_THAT(result.detail, AllOf(HasSubstr("b/1"), HasSubstr("killed by signal 9")));
 }
 
 TEST(Gate, MetricThatWasNotComputedIsNotMet) {
   Gate of_luv = gate(Gate::Over::each, 0);
   of_luv.metric = "luv";
-  EXPECT_FALSE(evaluate_gate(of_luv, kRun).passed);
+  EXPECT_EQ(evaluate_gate(of_luv, kRun).state, GateState::not_met);
 }
 
 TEST(Gate, NothingToLookAtIsNotMet) {
   Gate nowhere = gate(Gate::Over::each, 0);
   nowhere.scene = "no such scene";
   const ReportGate result = evaluate_gate(nowhere, kRun);
-  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.state, GateState::not_met);
   EXPECT_EQ(result.detail, "no score matches");
 }
 
 TEST(Gate, WithoutBoundsIsNotMet) {
-  EXPECT_FALSE(evaluate_gate(gate(Gate::Over::each, std::nullopt), kRun).passed);
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::each, std::nullopt), kRun).state, GateState::not_met);
 }
 
 TEST(Gate, PatternsChooseScenesAndViews) {
   Gate only = gate(Gate::Over::each, 10);
   only.scene = "a*";
-  EXPECT_TRUE(evaluate_gate(only, kRun).passed);
+  EXPECT_EQ(evaluate_gate(only, kRun).state, GateState::met);
   only.view = "2";
   only.min = 40;
-  EXPECT_TRUE(evaluate_gate(only, kRun).passed);
+  EXPECT_EQ(evaluate_gate(only, kRun).state, GateState::met);
 }
 
 TEST(Gate, PatternOfVariantsMustHoldForEach) {
@@ -130,7 +131,7 @@ TEST(Gate, PatternOfVariantsMustHoldForEach) {
   const RunReport run =
       run_of({score("a/1", "isr-48", 10), score("a/1", "isr-24", 1), score("a/1", "direct", 0)});
   const ReportGate result = evaluate_gate(all, run);
-  EXPECT_FALSE(result.passed);
+  EXPECT_EQ(result.state, GateState::not_met);
   EXPECT_EQ(result.detail, "isr-24: 1 mean of 1 view, below 5");
 }
 
@@ -138,10 +139,10 @@ TEST(Gate, LooksAtThePrimaryReferenceUnlessItNamesOne) {
   RunReport run = kRun;
   run.scores.push_back(score("a/1", "isr-48", -50));
   run.scores.back().reference = "path";
-  EXPECT_TRUE(evaluate_gate(gate(Gate::Over::each, 0), run).passed);
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::each, 0), run).state, GateState::met);
   Gate against_path = gate(Gate::Over::each, 0);
   against_path.reference = "path";
-  EXPECT_FALSE(evaluate_gate(against_path, run).passed);
+  EXPECT_EQ(evaluate_gate(against_path, run).state, GateState::not_met);
 }
 
 TEST(Gate, KeepsTheJobsWords) {
@@ -156,6 +157,55 @@ TEST(Gate, LongListsAreCut) {
   for (int i = 0; i < 80; ++i) scores.push_back(score("a/" + std::to_string(i), "isr-48", -1));
   const ReportGate result = evaluate_gate(gate(Gate::Over::each, 0), run_of(scores));
   EXPECT_THAT(result.detail, AllOf(HasSubstr("80 of 80 views"), HasSubstr("and 75 more")));
+}
+
+/// The same scores with errors, of a baseline error of 10, against references of a known noise.
+RunReport noisy_run(double noise) {
+  RunReport run = run_of({});
+  run.baseline = "direct";
+  for (const auto& [view, gain] : {std::pair("a/1", 10.0), std::pair("a/2", 40.0)}) {
+    run.scores.push_back(score(view, "direct", 0));
+    run.scores.back().metrics["mean_error"] = MetricValue::of(10);
+    run.scores.push_back(score(view, "isr-48", gain));
+    run.scores.back().metrics["mean_error"] = MetricValue::of(10 - gain / 10);
+    ReportImage reference;
+    reference.scene = run.scores.back().scene;
+    reference.view = run.scores.back().view;
+    reference.source = "povray";
+    reference.is_reference = true;
+    reference.noise = noise;
+    run.images.push_back(reference);
+  }
+  return run;
+}
+
+TEST(GateWithNoise, AGainOfLessThanTheNoiseIsAWarning) {
+  const ReportGate result = evaluate_gate(gate(Gate::Over::each, 5), noisy_run(0.6));
+  EXPECT_EQ(result.state, GateState::within_noise);
+  EXPECT_THAT(result.detail, HasSubstr("a/1 by 0.5 of 255, less than the reference's noise of 0.6"));
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::each, 5), noisy_run(0.4)).state, GateState::met);
+}
+
+TEST(GateWithNoise, AMeanIsComparedWithTheMeanNoise) {
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::mean, 20), noisy_run(0.6)).state, GateState::within_noise);
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::mean, 18), noisy_run(0.6)).state, GateState::met);
+}
+
+TEST(GateWithNoise, AnErrorIsComparedAsItIs) {
+  Gate of_error = gate(Gate::Over::worst, std::nullopt, 9.2);
+  of_error.metric = "mean_error";
+  EXPECT_EQ(evaluate_gate(of_error, noisy_run(0.3)).state, GateState::within_noise);
+  EXPECT_EQ(evaluate_gate(of_error, noisy_run(0.1)).state, GateState::met);
+}
+
+TEST(GateWithNoise, DoesNotExcuseAGateThatIsNotMet) {
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::each, 10.1), noisy_run(50)).state, GateState::not_met);
+}
+
+TEST(GateWithNoise, TakesNoPartWhereItIsNotKnown) {
+  RunReport run = noisy_run(50);
+  for (ReportImage& image : run.images) image.noise.reset();
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::each, 5), run).state, GateState::met);
 }
 
 }  // namespace

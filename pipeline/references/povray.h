@@ -1,0 +1,9 @@
+#pragma once
+
+#include "pipeline/references.h"
+
+namespace lightbench {
+
+ReferenceKind povray_reference();
+
+}  // namespace lightbench
