@@ -52,8 +52,10 @@ class Gatherer {
   void add_sources() {
     for (const auto& variant : plan_.job.variants) {
       const Technique& technique = find_technique(variant.technique, "");
-      report_.variants.push_back({variant.name, variant.technique, params_as_text(variant_params(variant)),
-                                  technique.bounces, technique.needs_gl ? facts_.renderer : ""});
+      const ParamValues params = variant_params(variant);
+      report_.variants.push_back({variant.name, variant.technique, params_as_text(params),
+                                  technique_bounces(technique, params),
+                                  technique.needs_gl ? facts_.renderer : ""});
     }
     for (const auto& reference : plan_.job.references) {
       const ParamValues params = reference_params(reference);
