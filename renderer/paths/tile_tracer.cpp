@@ -9,20 +9,12 @@
 #include <glm/geometric.hpp>
 
 #include "renderer/paths/cosine_direction.h"
-#include "renderer/paths/sobol.h"
+#include "renderer/paths/path_draw.h"
 
 namespace lightbench {
 namespace {
 
 constexpr int kWave = 2048;  // paths; their state fits the second-level cache
-
-constexpr int kPurposes = 4;
-enum Purpose { kDirection, kEmitterPick, kEmitterPlace, kLightPick };
-
-template <typename UInt>
-SobolPair<UInt> draw(UInt index, UInt seed, int bounce, Purpose purpose) {
-  return sobol_pair(index, hash_pair(seed, std::uint32_t(kPurposes * bounce + purpose)));
-}
 
 bool is_black(const glm::vec3& v) {
   return !(v.x > 0 || v.y > 0 || v.z > 0);
@@ -52,7 +44,7 @@ TileTracer::TileTracer(const PathScene& scene, const PathCamera& camera, int bou
     : scene_(scene),
       camera_(camera),
       bounces_(bounces),
-      seed_(hash_pair(hash_bits(std::uint32_t(seed)), std::uint32_t(seed >> 32))),
+      seed_(picture_seed(seed)),
       vertices_(kWave / kLanes),
       flights_(kWave),
       keys_(kWave),
@@ -97,8 +89,7 @@ void TileTracer::shade_primary(int packet) {
     covered_[std::size_t(ray)] = 1;
     direct_[std::size_t(ray)] = s.emission.lane(i);
     if (is_black(vertices.throughput.lane(i))) return;
-    const auto x = std::uint32_t(tile_.x + ray % tile_.width), y = std::uint32_t(tile_.y + ray / tile_.width);
-    vertices.seed[i] = hash_pair(hash_pair(seed_, x), y);
+    vertices.seed[i] = primary_seed(seed_, tile_.x + ray % tile_.width, tile_.y + ray / tile_.width);
     vertices.slot[i] = std::uint32_t(2 * ray);
     points_[std::size_t(point_count_ / kLanes)].copy_lane(point_count_ % kLanes, vertices, i);
     ++point_count_;
@@ -121,13 +112,13 @@ void TileTracer::begin_wave(std::int64_t first_path, int count, int first_sample
   for (int i = 0; i < count; ++i) {
     const std::int64_t path = first_path + i;
     const int point = int(path / (2 * samples)), sample = int(path % (2 * samples));
-    const auto half = std::uint32_t(sample / samples);
+    const int half = sample / samples;
     Vertices8& v = vertices_[std::size_t(i / kLanes)];
     const int lane = i % kLanes;
     v.copy_lane(lane, points_[std::size_t(point / kLanes)], point % kLanes);
-    v.seed[lane] = hash_pair(std::uint32_t(v.seed[lane]), half);
+    v.seed[lane] = half_seed(v.seed[lane], half);
     v.index[lane] = std::uint32_t(first_sample + sample % samples);
-    v.slot[lane] += half;
+    v.slot[lane] += std::uint32_t(half);
   }
 }
 
@@ -145,8 +136,8 @@ void TileTracer::trace_wave(int count) {
 /// Next-event estimation. Its weight is the balance heuristic's (Veach 1997, section 9.2): emission * density
 /// of the cosine over the sum of both densities, the other half of which add_emission has.
 void TileTracer::sample_emitters(const Vertices8& from, Int8 mask, int bounce) {
-  const SobolPair<UInt8> pick = draw(from.index, from.seed, bounce, kEmitterPick);
-  const SobolPair<UInt8> place = draw(from.index, from.seed, bounce, kEmitterPlace);
+  const SobolPair<UInt8> pick = draw(from.index, from.seed, bounce, Draw::emitter_pick);
+  const SobolPair<UInt8> place = draw(from.index, from.seed, bounce, Draw::emitter_place);
   for_lanes(mask, [&](int i) {
     const EmitterPoint point =
         scene_.emitters.sample(unit_float(pick.x[i]), unit_float(place.x[i]), unit_float(place.y[i]));
@@ -172,7 +163,7 @@ void TileTracer::scatter(int count, int bounce) {
     const Vertices8& from = vertices_[std::size_t(block)];
     const Int8 mask = first_lanes(count - kLanes * block);
     if (!scene_.emitters.empty()) sample_emitters(from, mask, bounce);
-    const SobolPair<UInt8> point = draw(from.index, from.seed, bounce, kDirection);
+    const SobolPair<UInt8> point = draw(from.index, from.seed, bounce, Draw::direction);
     const CosineDirection8 direction =
         cosine_direction(unit_float(point.x), unit_float(point.y), from.normal);
     const Vec8 origin = select(dot(from.offset, direction.unit) >= 0, from.position + from.offset,
@@ -217,11 +208,13 @@ int TileTracer::gather(int bounce) {
       for_lanes(valid & ~mask,
                 [&](int i) { indirect_[paths.slot[i]] += paths.throughput.lane(i) * scene_.sky; });
     if (!any(mask)) continue;
-    const Surfaces8 s = scene_.surfaces.shade(rays, mask);
+    Surfaces8 s = scene_.surfaces.shade(rays, mask);
+    s.specular =
+        Float8{};  // POV-Ray's radiosity sees no highlights (measured: a mirror of Phong's lights nothing)
     add_emission(s, mask, packet);
     const Vec8 viewer = -load_vec8(rays.ray.dir_x, rays.ray.dir_y, rays.ray.dir_z);
     const Float8 random =
-        lights_.picks() ? unit_float(draw(paths.index, paths.seed, bounce, kLightPick).x) : Float8{};
+        lights_.picks() ? unit_float(draw(paths.index, paths.seed, bounce, Draw::light_pick).x) : Float8{};
     lights_.ask_some(indirect_shadows_, s, mask, viewer, paths.throughput, paths.slot, random);
     if (bounce == bounces_) continue;
     paths.position = s.position;
