@@ -40,6 +40,8 @@ void check_arguments(const Scene& scene, const View& view, int width, int height
   check_image_size(width, height, view.name);
   check_image_size(static_cast<long long>(width) * supersampling,
                    static_cast<long long>(height) * supersampling, view.name);
+  if (triangle_count(scene) == 0)
+    throw Error("the scene has no triangles: there is nothing to render", scene.name);
   const Camera& camera = view.camera;
   if (!is_finite(camera.position) || !is_finite(camera.look_at) || !is_finite(camera.up) ||
       !(camera.fov > 0 && camera.fov < 3.1415f))
@@ -185,7 +187,12 @@ PathTracedImage Picture::trace() {
 PathTracedImage trace_paths(const Scene& scene, const View& view, int width, int height, int supersampling,
                             const PathTracerOptions& options) {
   check_arguments(scene, view, width, height, supersampling, options);
-  return Picture(scene, view, width, height, supersampling, options).trace();
+  PathTracedImage traced = Picture(scene, view, width, height, supersampling, options).trace();
+  if (const auto bad = first_non_finite(traced.image); bad >= 0)
+    throw Error(fmt::format("path tracer: pixel ({}, {}) is not a finite number; is every material?",
+                            bad / 4 % width, bad / 4 / width),
+                scene.name);
+  return traced;
 }
 
 }  // namespace lightbench
