@@ -52,10 +52,11 @@ class Gatherer {
   void add_sources() {
     for (const auto& variant : plan_.job.variants) {
       const Technique& technique = find_technique(variant.technique, "");
+      const ParamValues params = variant_params(variant);
       report_.variants.push_back({.name = variant.name,
                                   .kind = variant.technique,
-                                  .params = params_as_text(variant_params(variant)),
-                                  .bounces = technique.bounces,
+                                  .params = params_as_text(params),
+                                  .bounces = technique_bounces(technique, params),
                                   .offline = technique.offline,
                                   .tool = technique.needs_gl ? facts_.renderer : ""});
     }

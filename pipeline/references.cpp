@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "pipeline/references/path_tracer.h"
 #include "pipeline/references/povray.h"
 #include "pipeline/tables.h"
 
@@ -12,6 +13,7 @@ namespace lightbench {
 std::span<const ReferenceKind> reference_kinds() {
   static const ReferenceKind table[] = {
       povray_reference(),
+      path_tracer_reference(),
   };
   return table;
 }

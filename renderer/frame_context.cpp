@@ -55,6 +55,10 @@ void FrameContext::pass(const std::string& name, const std::function<void()>& dr
   draw();
   glFinish();
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  add_pass_time(name, seconds);
+}
+
+void FrameContext::add_pass_time(const std::string& name, double seconds) {
   for (PassTime& pass : result_.passes)
     if (pass.name == name) {
       pass.seconds += seconds;

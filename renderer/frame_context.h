@@ -35,7 +35,7 @@ struct GpuState {
 
 /// What a technique draws one frame with. Sizes are those drawn: the request's times its samples; `Renderer`
 /// averages the image and the buffers down. Without OpenGL (Technique::needs_gl is false) only request(),
-/// warn() and set_image(Image) may be called.
+/// warn(), add_pass_time() and set_image(Image) may be called.
 class FrameContext {
  public:
   FrameContext(const FrameRequest& request, GpuState* gpu, const GpuScene* scene);
@@ -73,6 +73,8 @@ class FrameContext {
   void set_image(const GlTexture& image);  ///< RGBA, linear; alpha is coverage
   void set_image(Image image);             ///< RGBA; of the drawn size or the request's own
   void warn(const std::string& text);
+  /// For passes that were timed elsewhere.
+  void add_pass_time(const std::string& name, double seconds);
 
   FrameResult& result() { return result_; }
 

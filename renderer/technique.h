@@ -50,8 +50,9 @@ struct Technique {
   std::vector<BufferSpec> buffers;
   int version = 1;  ///< raised when the same input gives another image
   std::vector<std::string>
-      shaders;      ///< embedded shader files it starts from; their text is part of cache keys
-  int bounces = 0;  ///< of indirect light
+      shaders;  ///< embedded shader files it starts from; their text is part of cache keys
+  /// How many of indirect light it shows with these parameters; none where null.
+  int (*bounces)(const ParamValues& params) = nullptr;
   bool needs_gl = true;
   bool offline = false;  ///< traces paths: no technique for real time, but what these could reach
   /// Why it cannot render this scene with these parameters; empty when it can.
@@ -61,6 +62,8 @@ struct Technique {
 
 /// All techniques, in the order of the documentation.
 std::span<const Technique> techniques();
+/// Bounces of indirect light that a technique shows with these parameters.
+int technique_bounces(const Technique& technique, const ParamValues& params);
 /// By name; throws Error(…, where) that names the nearest one.
 const Technique& find_technique(const std::string& name, const std::string& where);
 

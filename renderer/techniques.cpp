@@ -9,6 +9,7 @@
 #include "renderer/techniques/direct.h"
 #include "renderer/techniques/images.h"
 #include "renderer/techniques/isr.h"
+#include "renderer/techniques/path_tracer.h"
 
 namespace lightbench {
 
@@ -17,6 +18,7 @@ std::span<const Technique> techniques() {
       direct_technique(),
       isr_technique(),
       ambient_technique(),
+      path_tracer_technique(),
       images_technique(),
   };
   return table;
@@ -31,6 +33,10 @@ const Technique& find_technique(const std::string& name, const std::string& wher
   throw Error("no technique is named '" + name + "'" + did_you_mean(name, names) +
                   "; there are: " + join(names, ", "),
               where);
+}
+
+int technique_bounces(const Technique& technique, const ParamValues& params) {
+  return technique.bounces ? technique.bounces(params) : 0;
 }
 
 std::string technique_fingerprint(const Technique& technique) {

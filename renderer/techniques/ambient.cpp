@@ -45,7 +45,7 @@ Technique ambient_technique() {
   technique.buffers = direct_buffers();
   technique.shaders = direct_shaders();
   technique.shaders.insert(technique.shaders.end(), {kShader, "shaders/irradiance_sum.frag.glsl"});
-  technique.bounces = 1;
+  technique.bounces = [](const ParamValues&) { return 1; };
   technique.unsupported = direct_light_unsupported;
   technique.render = render;
   return technique;

@@ -292,7 +292,7 @@ Technique isr_technique() {
   technique.shaders = direct_shaders();
   for (const char* pass : {"downsample", "reduce", "gather", "blur", "light"})
     technique.shaders.push_back(std::string("techniques/isr/") + pass + ".frag.glsl");
-  technique.bounces = 1;
+  technique.bounces = [](const ParamValues&) { return 1; };
   technique.unsupported = unsupported;
   technique.render = render_isr;
   return technique;

@@ -1,0 +1,9 @@
+#pragma once
+
+#include "pipeline/references.h"
+
+namespace lightbench {
+
+ReferenceKind path_tracer_reference();
+
+}  // namespace lightbench

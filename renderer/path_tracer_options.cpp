@@ -1,0 +1,52 @@
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include "renderer/path_tracer.h"
+
+namespace lightbench {
+
+std::string path_tracer_version() {
+  return fmt::format("path tracer {}, Embree {}", kPathTracerVersion, RTC_VERSION_STRING);
+}
+
+std::vector<ParamSpec> path_tracer_params() {
+  const PathTracerOptions defaults;
+  const auto whole = [](auto value) { return ParamValue(static_cast<long long>(value)); };
+  return {
+      {"bounces", ParamType::integer, whole(defaults.bounces), 0, 16, {}, "bounces of indirect light"},
+      {"samples",
+       ParamType::integer,
+       whole(defaults.samples),
+       2,
+       65536,
+       {},
+       "paths of each primary ray; with `noise`, the most"},
+      {"noise",
+       ParamType::number,
+       defaults.noise,
+       0,
+       255,
+       {},
+       "estimated mean error, of 255, at which a tile of the picture is done before it has all samples; 0: "
+       "never"},
+      {"seed", ParamType::integer, whole(defaults.seed), 0, 2147483647, {}, "of the random choices"},
+  };
+}
+
+std::vector<ParamPreset> path_tracer_presets() {
+  return {
+      {"two_bounces", {}, "the defaults: what POV-Ray's preset `physical` computes"},
+      {"converged", {{"bounces", 16LL}}, "sixteen bounces: next to all light there is"},
+  };
+}
+
+PathTracerOptions path_tracer_options(const ParamValues& params) {
+  PathTracerOptions options;
+  options.bounces = params.integer("bounces");
+  options.samples = params.integer("samples");
+  options.noise = params.number("noise");
+  options.seed = std::uint64_t(params.integer("seed"));
+  return options;
+}
+
+}  // namespace lightbench

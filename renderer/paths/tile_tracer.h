@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "renderer/paths/direct_sampler.h"
+#include "renderer/paths/lanes.h"
+#include "renderer/paths/path_scene.h"
+#include "renderer/paths/ray_queues.h"
+
+namespace lightbench {
+
+/// A rectangle of primary rays.
+struct RayTile {
+  int x, y, width, height;
+};
+
+struct RayTallies {
+  RayTally primary, shadow, diffuse;
+};
+
+/// Traces the paths of one tile after another, in waves: each stage (scatter, trace, shade) runs over
+/// thousands of paths before the next, so that packets of rays can be filled with rays that lie close
+/// together. Primary rays and their direct light are traced once; samples are of the light that arrives over
+/// other surfaces. Two independent halves of the samples are kept apart. Results depend on the seed and the
+/// primary ray only, never on the tile. One for each thread.
+class TileTracer {
+ public:
+  TileTracer(const PathScene& scene, const PathCamera& camera, int bounces, std::uint64_t seed);
+
+  /// Traces the primary rays and their direct light, and forgets the tile before.
+  void start(const RayTile& tile);
+  /// Traces the paths first <= index < end of each half of every primary ray.
+  void add_samples(int first, int end);
+
+  /// By primary ray, row after row.
+  bool covered(int ray) const { return covered_[std::size_t(ray)] != 0; }
+  /// Emission and direct light; 0 where nothing is hit.
+  const glm::vec3& direct(int ray) const { return direct_[std::size_t(ray)]; }
+  /// Sum over a half's samples of the reflected indirect light.
+  const glm::vec3& indirect(int ray, int half) const { return indirect_[std::size_t(2 * ray + half)]; }
+
+  RayTallies tallies() const;
+
+ private:
+  /// Ends of eight paths, from where they go on.
+  struct Vertices8 {
+    Vec8 position, normal, offset;
+    Vec8 throughput;  ///< share of the light arriving here that the primary ray shows
+    UInt8 seed, index, slot;
+
+    void copy_lane(int lane, const Vertices8& from, int from_lane);
+  };
+  /// A path on its way to the next surface: one cache line.
+  struct alignas(64) Flight {
+    PathRay ray;
+    glm::vec3 throughput;
+    float density;  ///< of the direction, per steradian
+    std::uint32_t seed, index, slot;
+  };
+
+  void shade_primary(int packet);
+  void begin_wave(std::int64_t first_path, int count, int first_sample, int samples);
+  void trace_wave(int count);
+  void sample_emitters(const Vertices8& from, Int8 mask, int bounce);
+  void scatter(int count, int bounce);
+  void sort_flights(int count);
+  int gather(int bounce);
+  void add_emission(const Surfaces8& surfaces, Int8 mask, int packet);
+
+  const PathScene& scene_;
+  const PathCamera& camera_;
+  int bounces_;
+  std::uint32_t seed_;
+  RayTile tile_{};
+
+  std::vector<std::uint8_t> covered_;
+  std::vector<glm::vec3> direct_, indirect_;
+  std::vector<Vertices8> points_;  ///< primary hits that reflect light, packed
+  int point_count_ = 0;
+
+  std::vector<Vertices8> vertices_;  ///< of the wave
+  std::vector<Flight> flights_;
+  std::vector<std::uint16_t> keys_, order_;
+  DirectSampler lights_;
+  HitQueue hits_;
+  ShadowQueue direct_shadows_, indirect_shadows_;
+  RayTally primary_, diffuse_;
+};
+
+}  // namespace lightbench
