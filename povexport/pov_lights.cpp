@@ -7,13 +7,14 @@
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
-#include "base/error.h"
+#include "scene/light_points.h"
 
 namespace lightbench {
 namespace {
 
-/// Where 2 / (1 + (d / D)^2) is to be 1 / d^2: D = kTiny makes it 2 D^2 / d^2 but for a part of D^2 / d^2.
-constexpr double kTinyFadeDistance = 1e-4;
+/// Where 2 / (1 + (d / D)^2) is to be 1 / d^2, the power makes up for a small D; what is missing is a part of
+/// (D / d)^2. In POV-Ray's units, in which a scene is 512 to 1024 large.
+constexpr double kTinyFadeDistance = 1e-3;
 
 struct Fade {
   double amplitude;
@@ -28,7 +29,7 @@ constexpr Fade kRadiusFades[] = {
     {0.559678, 0.479725, 1.77346},
 };
 
-std::vector<Fade> fades_of(const Light& light) {
+std::vector<Fade> fades_of(const Light& light, double scale) {
   const Attenuation& attenuation = light.attenuation;
   if (light.kind == LightKind::directional) return {{1, 0, 0}};
   switch (attenuation.kind) {
@@ -36,8 +37,10 @@ std::vector<Fade> fades_of(const Light& light) {
       return {{1, 0, 0}};
     case Attenuation::Kind::fade:
       return {{1, attenuation.distance, attenuation.power}};
-    case Attenuation::Kind::inverse_square:
-      return {{0.5 / (kTinyFadeDistance * kTinyFadeDistance), kTinyFadeDistance, 2}};
+    case Attenuation::Kind::inverse_square: {
+      const double distance = kTinyFadeDistance / scale;
+      return {{0.5 / (distance * distance), distance, 2}};
+    }
     case Attenuation::Kind::radius:
       break;
   }
@@ -79,9 +82,9 @@ double radius_attenuation_by_fades(double part) {
 }
 
 PovWriter pov_light(const Light& light, const PovSpace& space, bool shadowless) {
-  if (light.kind == LightKind::area) throw Error("area lights cannot be exported to POV-Ray yet", light.name);
   PovWriter out;
-  for (const Fade& fade : fades_of(light)) write_light(out, light, fade, space, shadowless);
+  for (const Light& point : light_points(light))
+    for (const Fade& fade : fades_of(point, space.scale)) write_light(out, point, fade, space, shadowless);
   return out;
 }
 

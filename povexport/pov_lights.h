@@ -15,8 +15,9 @@ struct PovSpace {
   double scale = 1;
 };
 
-/// A light as POV-Ray's light_source (several of them where its attenuation takes that). Throws Error for
-/// area lights.
+/// A light as POV-Ray's light_source: one for each of its points and each part of its attenuation. (POV-Ray's
+/// own area_light weighs its points otherwise where they are in part hidden, and is a point light to the rays
+/// that gather indirect light.)
 PovWriter pov_light(const Light& light, const PovSpace& space, bool shadowless);
 
 /// What of a light has no exact counterpart, as a sentence for the report, or nothing.

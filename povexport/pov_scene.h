@@ -44,8 +44,8 @@ PovAssets pov_assets(const Scene& scene);
 
 /// The scene description of one view, deterministic to the byte. It includes the assets by their names.
 /// `aspect` is width / height. Nothing of the scene stands in it but numbers. Who renders it puts the
-/// declared Background behind the image by alpha, as `run_povray` does. Throws Error for what cannot be
-/// exported at all: area lights, numbers that are not finite.
+/// declared Background behind the image by alpha, as `run_povray` does. Throws Error for numbers
+/// that are not finite.
 std::string pov_view(const Scene& scene, const PovAssets& assets, const Camera& camera, double aspect,
                      const PovOptions& options);
 

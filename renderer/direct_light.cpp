@@ -8,6 +8,7 @@
 #include "renderer/frame_context.h"
 #include "renderer/gpu_scene.h"
 #include "renderer/shadow_map.h"
+#include "scene/light_points.h"
 
 namespace lightbench {
 namespace {
@@ -68,9 +69,10 @@ const Program& light_program(FrameContext& frame, const GBuffer& gbuffer, const 
   return frame.fullscreen_program("shaders/direct.frag.glsl", defines);
 }
 
-void add_light(FrameContext& frame, const GBuffer& gbuffer, const Light& light, const ShadowOptions& shadows,
-               const DirectLightOutputs& outputs, const Framebuffer& target) {
-  LightBlock block = light_block(light, frame.scene().lights.size());
+// Adds a light without extent, which makes that share of the mean visibility.
+void add_light(FrameContext& frame, const GBuffer& gbuffer, const Light& light, float share,
+               const ShadowOptions& shadows, const DirectLightOutputs& outputs, const Framebuffer& target) {
+  LightBlock block = light_block(light, share);
   const bool shadowed = shadows.mode != ShadowMode::none;
   if (shadowed)
     frame.pass("shadow map", [&] {
@@ -182,15 +184,6 @@ ShadowOptions shadow_options(const ParamValues& params) {
   return options;
 }
 
-std::vector<std::string> direct_light_unsupported(const Scene& scene, const ParamValues&) {
-  std::vector<std::string> reasons;
-  for (const Light& light : scene.lights)
-    if (light.kind == LightKind::area)
-      reasons.push_back(
-          fmt::format("light '{}' is an area light, which direct lighting does not draw", light.name));
-  return reasons;
-}
-
 DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const ShadowOptions& shadows,
                               const DirectLightOutputs& outputs) {
   DirectLight result;
@@ -198,7 +191,12 @@ DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const
   if (outputs.irradiance) result.irradiance = cleared(TexelFormat::rgba32f, gbuffer, 0);
   if (outputs.visibility) result.visibility = cleared(TexelFormat::r32f, gbuffer, 1);
   const Framebuffer target = target_of(result, outputs, gbuffer);
-  for (const Light& light : frame.scene().lights) add_light(frame, gbuffer, light, shadows, outputs, target);
+  const std::vector<Light>& lights = frame.scene().lights;
+  for (const Light& light : lights) {
+    const std::vector<Light> points = light_points(light);
+    const float share = 1.0f / float(lights.size() * points.size());
+    for (const Light& point : points) add_light(frame, gbuffer, point, share, shadows, outputs, target);
+  }
   return result;
 }
 

@@ -36,9 +36,6 @@ struct ShadowOptions {
 std::vector<ParamSpec> shadow_params();
 ShadowOptions shadow_options(const ParamValues& params);
 
-/// Why direct lighting cannot show the scene (area lights); empty when it can.
-std::vector<std::string> direct_light_unsupported(const Scene& scene, const ParamValues& params);
-
 /// Which textures besides `lit` are wanted.
 struct DirectLightOutputs {
   bool irradiance = false;
@@ -57,8 +54,8 @@ struct DirectLight {
   GlTexture visibility;
 };
 
-/// Lights a G-buffer, light after light. Timed as the passes "shadow map" and "direct" (sums over the
-/// lights).
+/// Lights a G-buffer, light after light; an area light point after point, each with a shadow map of its own.
+/// Timed as the passes "shadow map" and "direct" (sums over the lights).
 DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const ShadowOptions& shadows,
                               const DirectLightOutputs& outputs = {});
 

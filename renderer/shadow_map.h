@@ -44,8 +44,8 @@ ShadowProjection shadow_projection(const Light& light);
 /// What shaders that include light.glsl are compiled with.
 ShaderDefines projection_defines(ShadowProjection projection);
 
-/// The light's part of the block; `light_count` is what mean visibility is divided by.
-LightBlock light_block(const Light& light, std::size_t light_count);
+/// The light's part of the block; `share` is the part of the mean visibility that it makes.
+LightBlock light_block(const Light& light, float share);
 /// Sets origin, depth range and views, which are not fitted yet.
 void place_shadow_views(LightBlock& block, const Light& light, const Bounds& casters);
 

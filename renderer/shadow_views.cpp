@@ -86,11 +86,11 @@ ShaderDefines projection_defines(ShadowProjection projection) {
   return {};
 }
 
-LightBlock light_block(const Light& light, std::size_t light_count) {
+LightBlock light_block(const Light& light, float share) {
   LightBlock block{};
   block.position = glm::vec4(light.position, light.kind != LightKind::directional);
   block.direction = glm::vec4(light.direction, light.kind == LightKind::spot);
-  block.color = glm::vec4(light.color * light.power, 1.0f / float(std::max<std::size_t>(light_count, 1)));
+  block.color = glm::vec4(light.color * light.power, share);
   const Attenuation& fade = light.attenuation;
   block.attenuation = glm::vec4(float(fade.kind), fade.distance, fade.power, fade.radius);
   block.cone = glm::vec4(std::cos(light.inner_angle), std::cos(light.outer_angle), 0, 0);

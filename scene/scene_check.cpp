@@ -7,6 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "scene/light_points.h"
 #include "scene/nearest_surface.h"
 
 namespace lightbench {
@@ -19,11 +20,18 @@ bool emits(const Material& m) {
   return m.emission != glm::vec3(0);
 }
 
+bool reaches(const Light& light, const Bounds& bounds) {
+  const glm::vec3 nearest = glm::clamp(light.position, bounds.min, bounds.max);
+  return light.attenuation.kind != Attenuation::Kind::radius ||
+         glm::length(light.position - nearest) < light.attenuation.radius;
+}
+
 void check_lights(const Scene& scene, const Bounds& bounds, const std::string& where, ProblemList& problems) {
   for (const Light& light : scene.lights) {
     if (light.kind == LightKind::directional) continue;
-    const float reach = glm::length(light.position - glm::clamp(light.position, bounds.min, bounds.max));
-    if (light.attenuation.kind == Attenuation::Kind::radius && reach >= light.attenuation.radius)
+    const std::vector<Light> points = light_points(light);
+    if (std::none_of(points.begin(), points.end(),
+                     [&](const Light& point) { return reaches(point, bounds); }))
       problems.warning(fmt::format("the light '{}' reaches nothing within its radius", light.name), where);
     if (light.kind != LightKind::area &&
         distance_to_nearest_surface(scene, light.position) <= kInSurface * bounds.diagonal())

@@ -15,6 +15,8 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "scene/box_mesh.h"
+#include "scene/emitting_surface.h"
+#include "scene/light_json.h"
 #include "scene/nearest_surface.h"
 #include "scene/obj_loader.h"
 #include "scene/scene_check.h"
@@ -76,7 +78,7 @@ class SceneLoader {
                   [&](const JsonValue& v) { read_list(v, [&](const auto& e) { read_entity(e); }); });
     keys.optional("materials", [&](const JsonValue& v) { read_overrides(v); });
     keys.optional("lights", [&](const JsonValue& v) {
-      read_list(v, [&](const auto& e) { scene_.lights.push_back(read_light(e, problems_)); });
+      read_list(v, [&](const auto& e) { add_light(read_light(e, problems_), e.where()); });
     });
     keys.optional("background", [&](const JsonValue& v) { read_background(v); });
     keys.optional("near", [&](const JsonValue& v) { scene_.near = float(v.number(1e-9, 1e15)); });
@@ -98,6 +100,15 @@ class SceneLoader {
       } catch (const Error& error) {
         problems_.add(error);
       }
+  }
+
+  void add_light(const LightEntry& entry, const std::string& where) {
+    if (!entry.emitting_surface) return scene_.lights.push_back(entry.light);
+    // One of the wrong shape is a problem already.
+    if (!problems_.has_errors()) add_emitting_surface(scene_, entry.light);
+    problems_.warning(
+        fmt::format("light '{}' is an emitting surface: only indirect light takes it in", entry.light.name),
+        where);
   }
 
   void read_background(const JsonValue& value) {

@@ -1,6 +1,5 @@
 #include "scene/scene_json.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -15,17 +14,9 @@ namespace {
 
 constexpr double kLargestCoordinate = 1e15;
 constexpr double kLargestColor = 1e6;
-constexpr double kSmallestPositive = 1e-9;
 
 // A matrix whose volume is below this share of its columns' lengths is flat in 32-bit floats.
 constexpr double kSmallestVolume = 1e-6;
-
-// Beyond this a spotlight's shadow map and POV-Ray's spotlight have no meaning.
-constexpr double kWidestSpot = 89.0;
-
-float positive(const JsonValue& value) {
-  return float(value.number(kSmallestPositive, kLargestCoordinate));
-}
 
 float share_or_factor(const JsonValue& value, double max) {
   return float(value.number(0, max));
@@ -76,43 +67,6 @@ glm::dvec3 read_scale(const JsonValue& value) {
   return value.is_number() ? glm::dvec3(value.number()) : glm::dvec3(read_point(value));
 }
 
-void read_spot(KeyReader& keys, Light& light) {
-  keys.required("position", [&](const JsonValue& v) { light.position = read_point(v); });
-  if (keys.has("direction") == keys.has("look_at"))
-    keys.fail("a spotlight needs either 'direction' or 'look_at'");
-  keys.optional("direction", [&](const JsonValue& v) { light.direction = read_direction(v); });
-  keys.optional("look_at", [&](const JsonValue& v) {
-    const glm::vec3 direction = read_point(v) - light.position;
-    if (!(glm::length(direction) > 0)) v.fail("the spotlight's look_at is its position");
-    light.direction = glm::normalize(direction);
-  });
-  keys.required("outer", [&](const JsonValue& v) {
-    light.outer_angle = float(glm::radians(v.number(kSmallestPositive, kWidestSpot)));
-  });
-  keys.optional("inner", [&](const JsonValue& v) {
-    light.inner_angle = float(glm::radians(v.number(0, kWidestSpot)));
-    if (light.outer_angle > 0 && light.inner_angle > light.outer_angle)
-      v.fail("the inner angle is larger than the outer one");
-  });
-}
-
-void read_area(KeyReader& keys, Light& light) {
-  keys.required("position", [&](const JsonValue& v) { light.position = read_point(v); });
-  keys.required("edge_u", [&](const JsonValue& v) {
-    light.edge_u = read_point(v);
-    if (light.edge_u == glm::vec3(0)) v.fail("the area light has no area: an edge is zero");
-  });
-  keys.required("edge_v", [&](const JsonValue& v) {
-    light.edge_v = read_point(v);
-    if (light.edge_u == glm::vec3(0)) return;
-    const float area = glm::length(glm::cross(light.edge_u, light.edge_v));
-    if (!(area > 1e-6f * glm::length(light.edge_u) * glm::length(light.edge_v)))
-      v.fail("the area light has no area: its edges are parallel or zero");
-  });
-}
-
-const std::vector<std::string> kLightTypes{"point", "directional", "spot", "area"};
-
 }  // namespace
 
 glm::vec3 read_point(const JsonValue& value) {
@@ -161,24 +115,6 @@ glm::mat4 read_transform(const JsonValue& value) {
   }
   check_not_singular(value, m);
   return glm::mat4(m);
-}
-
-Attenuation read_attenuation(const JsonValue& value) {
-  JsonObject object = value.object();
-  Attenuation a;
-  const std::string type = object.at("type").choice({"none", "fade", "inverse_square", "radius"});
-  if (type == "fade") {
-    a.kind = Attenuation::Kind::fade;
-    a.distance = positive(object.at("distance"));
-    if (const auto power = object.find("power")) a.power = float(power->number(kSmallestPositive, 100));
-  } else if (type == "inverse_square") {
-    a.kind = Attenuation::Kind::inverse_square;
-  } else if (type == "radius") {
-    a.kind = Attenuation::Kind::radius;
-    a.radius = positive(object.at("radius"));
-  }
-  object.finish();
-  return a;
 }
 
 Credit read_credit(const JsonValue& value) {
@@ -238,31 +174,6 @@ MaterialPatch read_material_patch(const JsonValue& value, ProblemList& problems)
   keys.optional("reflectance", [&](const JsonValue& v) { patch.reflectance = share_or_factor(v, 1); });
   keys.finish();
   return patch;
-}
-
-Light read_light(const JsonValue& value, ProblemList& problems) {
-  KeyReader keys(value, problems);
-  Light light;
-  std::string type;
-  keys.required("type", [&](const JsonValue& v) { type = v.choice(kLightTypes); });
-  if (type.empty()) return light;
-  light.kind = LightKind(std::find(kLightTypes.begin(), kLightTypes.end(), type) - kLightTypes.begin());
-  light.name = type;
-  keys.optional("name", [&](const JsonValue& v) { light.name = v.text(); });
-  keys.optional("color", [&](const JsonValue& v) { light.color = read_color(v); });
-  keys.optional("power", [&](const JsonValue& v) { light.power = share_or_factor(v, kLargestColor); });
-  if (light.kind == LightKind::point)
-    keys.required("position", [&](const JsonValue& v) { light.position = read_point(v); });
-  if (light.kind == LightKind::directional)
-    keys.required("direction", [&](const JsonValue& v) { light.direction = read_direction(v); });
-  if (light.kind == LightKind::spot) read_spot(keys, light);
-  if (light.kind == LightKind::area) read_area(keys, light);
-  if (light.kind != LightKind::directional)
-    keys.optional("attenuation", [&](const JsonValue& v) { light.attenuation = read_attenuation(v); });
-  keys.finish();
-  if (light.power == 0 || light.color == glm::vec3(0))
-    problems.warning(fmt::format("the light '{}' gives no light", light.name), value.where());
-  return light;
 }
 
 }  // namespace lightbench

@@ -25,7 +25,6 @@ glm::vec3 read_color(const JsonValue& value);
 glm::mat4 read_transform(const JsonValue& value);
 glm::mat4 rotation_degrees(const glm::dvec3& degrees);  ///< about x, then y, then z
 
-Attenuation read_attenuation(const JsonValue& value);
 Credit read_credit(const JsonValue& value);
 
 /// What a material of a scene file says; the rest stays as it was.
@@ -59,6 +58,5 @@ class KeyReader {
 };
 
 MaterialPatch read_material_patch(const JsonValue& value, ProblemList& problems);
-Light read_light(const JsonValue& value, ProblemList& problems);
 
 }  // namespace lightbench

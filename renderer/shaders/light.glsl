@@ -8,7 +8,7 @@ struct ShadowView {
 layout(std140, binding = 1) uniform Light {
   vec4 light_position;   // w: 1 where the light stands somewhere, 0 where it is directional
   vec4 light_direction;  // unit, the way the light travels; w: 1 for a spot
-  vec4 light_color;      // colour * power; w: 1 / number of lights
+  vec4 light_color;      // colour * power; w: share of the mean visibility
   vec4 light_attenuation;  // kind (Attenuation::Kind), distance, power, radius
   vec4 light_cone;       // cosines of the inner and the outer half-angle
   vec4 shadow_origin;    // w: near plane of a perspective view, depth range of an orthographic one

@@ -46,7 +46,6 @@ Technique ambient_technique() {
   technique.shaders = direct_shaders();
   technique.shaders.insert(technique.shaders.end(), {kShader, "shaders/irradiance_sum.frag.glsl"});
   technique.bounces = [](const ParamValues&) { return 1; };
-  technique.unsupported = direct_light_unsupported;
   technique.render = render;
   return technique;
 }

@@ -28,7 +28,6 @@ Technique direct_technique() {
   };
   technique.buffers = direct_buffers();
   technique.shaders = direct_shaders();
-  technique.unsupported = direct_light_unsupported;
   technique.render = render;
   return technique;
 }

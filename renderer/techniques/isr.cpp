@@ -267,12 +267,11 @@ void render_isr(FrameContext& frame, const ParamValues& params) {
   keep_direct_buffers(frame, gbuffer, direct);
 }
 
-std::vector<std::string> unsupported(const Scene& scene, const ParamValues& params) {
-  std::vector<std::string> reasons = direct_light_unsupported(scene, params);
+std::vector<std::string> unsupported(const Scene&, const ParamValues& params) {
   if (params.text("pattern") == "grid" && !fills_grid(params.integer("samples")))
-    reasons.push_back(
-        "pattern 'grid' needs 8, 24, 48, 80 or another number of samples that fills a square round a pixel");
-  return reasons;
+    return {
+        "pattern 'grid' needs 8, 24, 48, 80 or another number of samples that fills a square round a pixel"};
+  return {};
 }
 
 }  // namespace

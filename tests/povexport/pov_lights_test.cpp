@@ -7,6 +7,7 @@
 
 #include "base/color.h"
 #include "pov_test_scenes.h"
+#include "scene/light_points.h"
 
 namespace lightbench {
 namespace {
@@ -96,6 +97,83 @@ TEST(PovrayLights, DirectionalLightsIgnoreDistance) {
   light.attenuation = {Attenuation::Kind::inverse_square, 1, 2, 1};
   const Image image = lit_wall(light);
   for (const int x : {0, 16, 32}) EXPECT_NEAR(image.pixel(x, 5)[0], 3 / std::sqrt(14.0f), kHalfError);
+}
+
+Light panel(AreaShape shape) {
+  Light light = point_light({Attenuation::Kind::fade, 1.2f, 2, 1});
+  light.kind = LightKind::area;
+  light.shape = shape;
+  light.edge_u = {0.8f, 0.1f, 0};
+  light.edge_v = {0, 0.5f, 0.4f};
+  light.points = {3, 2};
+  return light;
+}
+
+class PovrayAreaLights : public testing::TestWithParam<AreaShape> {};
+
+TEST_P(PovrayAreaLights, AreTheMeanOfTheirPoints) {
+  const Light light = panel(GetParam());
+  const Image image = lit_wall(light);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const glm::vec3 p = wall_point(x, y);
+      float wanted = 0;
+      for (const Light& point : light_points(light))
+        wanted += point.power * lambert(point, p) *
+                  attenuation_factor(light.attenuation, glm::length(point.position - p));
+      ASSERT_NEAR(image.pixel(x, y)[0], wanted, kHalfError * std::max(wanted, 1.0f)) << x << " " << y;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(PovrayShapes, PovrayAreaLights,
+                         testing::Values(AreaShape::quad, AreaShape::triangle));
+
+TEST(PovAreaLights, AreWrittenAsTheirPoints) {
+  const PovSpace space{{glm::vec3(-1), glm::vec3(1)}, 256};
+  const Light light = panel(AreaShape::triangle);
+  std::string points;
+  for (const Light& point : light_points(light)) points += pov_light(point, space, false).text();
+  EXPECT_EQ(pov_light(light, space, false).text(), points);
+}
+
+TEST(PovrayPenumbra, OfAnAreaLightHasEvenSteps) {
+  Scene scene = scene_of(facing_square());
+  scene.meshes.push_back(quad_mesh({{0, -3, 1}, {3, -3, 1}, {3, 3, 1}, {0, 3, 1}}));
+  scene.entities.push_back({"screen", 1, glm::mat4(1)});
+  Light light = panel(AreaShape::quad);
+  light.attenuation = {};
+  light.position = {0, 0, 2};
+  light.edge_u = {1, 0, 0};
+  light.edge_v = {0, 0.001f, 0};
+  light.points = {4, 1};
+  scene.lights = {light};
+  // Points at x = -3/8, -1/8, 1/8, 3/8 and an edge half way to the wall: the shadow of each begins at -x.
+  Camera camera = facing_camera();
+  camera.position.z = 0.9f;  // before the screen
+  camera.fov = 2 * std::atan(1 / 0.9f);
+  const Image image = render(scene, camera, direct_options(), kSize, kSize);
+  for (int x = 0; x < kSize; ++x) {
+    const glm::vec3 p = wall_point(x, kSize / 2);
+    float wanted = 0;
+    for (const Light& point : light_points(light))
+      if (p.x < -point.position.x) wanted += point.power * lambert(point, p);
+    EXPECT_NEAR(image.pixel(x, kSize / 2)[0], wanted, 2 * kHalfError) << p.x;
+  }
+}
+
+TEST(PovrayLights, InverseSquareHoldsInSmallScenes) {
+  const float scale = 1e-4f;
+  Light light = point_light({Attenuation::Kind::inverse_square, 1, 2, 1});
+  const float wanted = 1.5f * lambert(light, {}) / glm::dot(light.position, light.position);
+  light.position *= scale;
+  light.power *= scale * scale;
+  Scene scene = scene_of(facing_square());
+  for (glm::vec3& position : scene.meshes[0].positions) position *= scale;
+  scene.lights = {light};
+  Camera camera = facing_camera();
+  camera.position *= scale;
+  EXPECT_NEAR(render(scene, camera, direct_options(), kSize, kSize).pixel(16, 16)[0], wanted,
+              kHalfError * wanted);
 }
 
 TEST(PovrayLights, WithoutShadowsNothingIsInTheWay) {

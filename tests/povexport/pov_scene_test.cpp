@@ -65,18 +65,6 @@ TEST(PovScene, ASceneWithoutTrianglesIsAnError) {
   EXPECT_THROW(pov_assets(scene), Error);
 }
 
-TEST(PovScene, AreaLightsAreRefusedByName) {
-  Scene scene = golden_scene();
-  scene.lights[0].kind = LightKind::area;
-  scene.lights[0].name = "window";
-  try {
-    all_text(scene);
-    FAIL() << "no error";
-  } catch (const Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("window"));
-  }
-}
-
 TEST(PovScene, ACoordinateThatIsNotFiniteIsAnError) {
   Scene scene = golden_scene();
   scene.meshes[0].positions[0].x = std::numeric_limits<float>::infinity();

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/error.h"
+#include "scene/light_points.h"
 #include "tests/renderer/render_scene.h"
 
 namespace lightbench {
@@ -14,6 +14,7 @@ using test::floor_point;
 using test::floor_scene;
 using test::point_light;
 using test::render;
+using test::RenderSetup;
 using test::top_view;
 
 constexpr int kWidth = 64;
@@ -188,17 +189,42 @@ TEST(GlDirect, AnEmptySceneIsAllBackground) {
   EXPECT_EQ(render(scene, top_view(3)).image.pixel(7, 7)[1], 0.5f);
 }
 
-TEST(GlDirect, AreaLightsAreRefusedByName) {
+Light panel(AreaShape shape) {
+  Light light = point_light({-1, 2, 0.5f});
+  light.kind = LightKind::area;
+  light.shape = shape;
+  light.edge_u = {2, 0, 0};
+  light.edge_v = {0, 0.5f, -1};
+  light.points = {3, 2};
+  light.attenuation = {Attenuation::Kind::fade, 2, 2, 1};
+  return light;
+}
+
+class GlAreaLights : public testing::TestWithParam<AreaShape> {};
+
+TEST_P(GlAreaLights, LightAsTheirPointsDo) {
   Scene scene = floor_scene();
-  scene.lights = {point_light({0, 1, 0})};
-  scene.lights[0].kind = LightKind::area;
-  scene.lights[0].name = "ceiling panel";
-  try {
-    render(scene, top_view(3));
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_NE(error.message().find("ceiling panel"), std::string::npos) << error.message();
-  }
+  scene.materials[0].specular = 0.5f;
+  scene.materials[0].exponent = 10;
+  add_quad(scene, {-0.5f, 1, 0.5f}, {1, 0, 0}, {0, 0, -1});  // between light and floor
+  scene.lights = {panel(GetParam())};
+  const Image area = render(scene, top_view(5)).image;
+  scene.lights = light_points(scene);
+  EXPECT_EQ(render(scene, top_view(5)).image, area);
+}
+
+INSTANTIATE_TEST_SUITE_P(GlShapes, GlAreaLights, testing::Values(AreaShape::quad, AreaShape::triangle));
+
+TEST(GlDirect, MeanVisibilityCountsAnAreaLightOnce) {
+  Scene scene = floor_scene();
+  add_quad(scene, {-0.1f, 1.9f, 0.1f}, {0.2f, 0, 0}, {0, 0, -0.2f});  // hides the point light from the floor
+  scene.lights = {panel(AreaShape::quad), point_light({0, 2, 0})};
+  RenderSetup setup;
+  setup.buffers = {"shadow"};
+  View view = top_view(1.8f);
+  const FrameResult result = render(scene, view, setup);
+  // Off the plate's shadow in the panel's light: one light of two.
+  EXPECT_NEAR(result.buffers.at("shadow").pixel(2, 24)[0], 0.5f, 0.01f);
 }
 
 }  // namespace

@@ -197,12 +197,14 @@ TEST(SceneFile, ReadsAllKindsOfLights) {
       {"type": "spot", "position": [0, 5, 0], "look_at": [0, 0, 5], "inner": 20, "outer": 30,
        "attenuation": {"type": "radius", "radius": 20}},
       {"type": "area", "position": [0, 3, 0], "edge_u": [1, 0, 0], "edge_v": [0, 0, 2],
-       "attenuation": {"type": "inverse_square"}}]
+       "points": [3, 64], "attenuation": {"type": "inverse_square"}},
+      {"type": "area", "triangle": [[1, 2, 3], [2, 2, 3], [1, 2, 5]], "points": 6},
+      {"type": "area", "triangle": [[1, 2, 3], [2, 2, 3], [1, 2, 5]], "emitter": "points"}]
       // a comment
       , "background": {"color": [0.1, 0.2, 0.3], "lights": false}, "near": 0.5, "far": 50)");
   EXPECT_EQ(error_count(loaded), 0u) << described(loaded, files);
   const auto& lights = loaded.scene.lights;
-  ASSERT_EQ(lights.size(), 4u);
+  ASSERT_EQ(lights.size(), 6u);
   EXPECT_EQ(lights[0].name, "p");
   EXPECT_EQ(lights[0].color, glm::vec3(0.5f, 1, 2));
   EXPECT_EQ(lights[0].power, 3.0f);
@@ -218,11 +220,36 @@ TEST(SceneFile, ReadsAllKindsOfLights) {
   EXPECT_EQ(lights[2].attenuation.radius, 20.0f);
   EXPECT_EQ(lights[3].kind, LightKind::area);
   EXPECT_EQ(lights[3].edge_v, glm::vec3(0, 0, 2));
+  EXPECT_EQ(lights[3].points, glm::ivec2(3, 64));
   EXPECT_EQ(lights[3].attenuation.kind, Attenuation::Kind::inverse_square);
+  EXPECT_EQ(lights[4].shape, AreaShape::triangle);
+  EXPECT_EQ(lights[4].position, glm::vec3(1, 2, 3));
+  EXPECT_EQ(lights[4].edge_u, glm::vec3(1, 0, 0));
+  EXPECT_EQ(lights[4].edge_v, glm::vec3(0, 0, 2));
+  EXPECT_EQ(lights[4].points.x, 6);
+  EXPECT_EQ(lights[5].points.x, 4);
   EXPECT_EQ(loaded.scene.background.color, glm::vec3(0.1f, 0.2f, 0.3f));
   EXPECT_FALSE(loaded.scene.background.lights);
   EXPECT_EQ(loaded.scene.near, 0.5f);
   EXPECT_EQ(loaded.scene.far, 50.0f);
+}
+
+TEST(SceneFile, ALambertEmitterIsASurfaceOfTheScene) {
+  const SceneTestFiles files;
+  const auto loaded = load(files, R"(, "lights": [
+      {"type": "area", "name": "panel", "position": [0, 9, 0], "edge_u": [2, 0, 0], "edge_v": [0, 0, 4],
+       "color": [1, 0.5, 0], "power": 3, "emitter": "lambert"}])");
+  EXPECT_EQ(error_count(loaded), 0u) << described(loaded, files);
+  EXPECT_THAT(loaded.scene.lights, testing::IsEmpty());
+  const Entity& entity = loaded.scene.entities.back();
+  const Mesh& mesh = loaded.scene.meshes[std::size_t(entity.mesh)];
+  EXPECT_EQ(entity.name, "panel");
+  EXPECT_THAT(mesh.positions, testing::UnorderedElementsAre(glm::vec3(-1, 9, -2), glm::vec3(1, 9, -2),
+                                                            glm::vec3(-1, 9, 2), glm::vec3(1, 9, 2)));
+  const Material& material = loaded.scene.materials[std::size_t(mesh.parts[0].material)];
+  EXPECT_EQ(material.name, "panel");
+  EXPECT_EQ(material.diffuse, glm::vec3(0));
+  EXPECT_EQ(material.emission, glm::vec3(3, 1.5f, 0));
 }
 
 TEST(SceneFile, ReadsCredits) {
@@ -299,6 +326,39 @@ INSTANTIATE_TEST_SUITE_P(
             "AreaWithoutArea",
             R"(, "lights": [{"type": "area", "position": [9, 9, 9], "edge_u": [1, 0, 0], "edge_v": [2, 0, 0]}])",
             "", "$.lights[0].edge_v: the area light has no area"},
+        BadScene{"TriangleWithoutArea",
+                 R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 0]]}])", "",
+                 "$.lights[0].triangle: the area light has no area"},
+        BadScene{"TwoCorners", R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0]]}])", "",
+                 "$.lights[0].triangle: must be three corners"},
+        BadScene{
+            "TriangleWithAPlace",
+            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "position": [0, 0, 0]}])",
+            "", "$.lights[0]: unknown key 'position'"},
+        BadScene{
+            "TooManyPoints",
+            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "points": 65}])",
+            "", "$.lights[0].points: must be"},
+        BadScene{
+            "OneCountForAQuad",
+            R"(, "lights": [{"type": "area", "position": [9, 9, 9], "edge_u": [1, 0, 0], "edge_v": [0, 0, 2], "points": [4]}])",
+            "", "$.lights[0].points: must be two numbers"},
+        BadScene{
+            "PointsOfASurface",
+            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "points": 3, "emitter": "lambert"}])",
+            "", "$.lights[0]: an emitter 'lambert' is a surface: it has no 'points'"},
+        BadScene{
+            "AttenuationOfASurface",
+            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "attenuation": {"type": "none"}, "emitter": "lambert"}])",
+            "", "$.lights[0]: an emitter 'lambert' is a surface: it has no 'attenuation'"},
+        BadScene{
+            "AnEmitterOfAnotherKind",
+            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "emitter": "lambrt"}])",
+            "", "$.lights[0].emitter: must be one of points, lambert, not 'lambrt'"},
+        BadScene{
+            "ASurface",
+            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "emitter": "lambert"}])",
+            "", "warning s.json: $.lights[0]: light 'area' is an emitting surface: only indirect light"},
         BadScene{
             "AttenuationOfASun",
             R"(, "lights": [{"type": "directional", "direction": [0, -1, 0], "attenuation": {"type": "none"}}])",
