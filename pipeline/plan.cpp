@@ -24,6 +24,7 @@ constexpr int kScoreVersion = 1;
 
 /// Guesses for an image of a megapixel; what was measured in earlier runs replaces them.
 constexpr double kSnapshotSeconds = 0.6;
+constexpr double kPathSeconds = 20;
 constexpr double kRadiositySeconds = 15;
 constexpr double kScoreSeconds = 0.25;
 constexpr double kTaskTimeout = 1800;
@@ -138,7 +139,7 @@ class Planner {
       task.outputs.push_back(buffer_stem(job(), scene, view, variant.name, buffer) + ".png");
     }
     task.group = "scene " + std::to_string(scene);
-    task.expected_seconds = kSnapshotSeconds * (0.3 + megapixels());
+    task.expected_seconds = (technique.offline ? kPathSeconds : kSnapshotSeconds) * (0.3 + megapixels());
     task.resources.memory_mb = int(200 + 300 * megapixels() + double(facts.triangles) / 2000);
     if (task.refused.empty() && !facts.unsupported.empty())
       task.refused = join(facts.unsupported[std::size_t(variant_index)], "; ");
@@ -174,34 +175,45 @@ class Planner {
     return finish_task(std::move(task));
   }
 
+  /// What decides a reference image, but for its size and the tool: the files that it is exported to, or
+  /// those of the scene where the tool renders the scene itself.
+  KeyParts reference_parts(int scene, int view, int reference_index) const {
+    const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
+    const JobReference& reference = job().references[std::size_t(reference_index)];
+    if (find_reference_kind(reference.kind, "").exports())
+      return facts.exports.empty() ? KeyParts()
+                                   : facts.exports[std::size_t(reference_index)][std::size_t(view)];
+    KeyParts parts;
+    add_files(parts, facts);
+    parts.emplace_back("view",
+                       view_text(views_of(job().scenes[std::size_t(scene)])[std::size_t(view)].camera));
+    parts.emplace_back("parameters", to_text(reference_params(reference)));
+    return parts;
+  }
+
   std::size_t add_reference(int scene, int view, int reference_index) {
     const JobReference& reference = job().references[std::size_t(reference_index)];
-    const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
     const ReferenceKind& kind = find_reference_kind(reference.kind, "");
-    const std::string stem = image_stem(job(), scene, view, reference.name);
+    const ParamValues params = reference_params(reference);
+    const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
     Task task = start_task(TaskKind::reference, scene, view, {reference.name});
     task.reference = reference_index;
-    if (kind.exports()) {
-      if (!facts.exports.empty())
-        task.key_parts = facts.exports[std::size_t(reference_index)][std::size_t(view)];
+    task.key_parts = reference_parts(scene, view, reference_index);
+    if (kind.exports())
       task.deps = {shared_export(scene, reference, task.key_parts),
                    view_export(scene, view, reference_index, task.key_parts)};
-    } else {
-      add_files(task.key_parts, facts);
-      task.key_parts.emplace_back(
-          "view", view_text(views_of(job().scenes[std::size_t(scene)])[std::size_t(view)].camera));
-      task.key_parts.emplace_back("parameters", to_text(reference_params(reference)));
+    else
       task.group = "scene " + std::to_string(scene);
-    }
-    task.key_parts.insert(task.key_parts.begin(), {"version", std::to_string(kReferenceVersion)});
+    const std::size_t renderings = kind.exports() ? kind.view_suffixes(params).size() : 1;
+    task.key_parts.emplace_back("version", std::to_string(kReferenceVersion));
     add_size(task.key_parts);
     const auto tool = facts_.tools.find(reference.kind);
     task.key_parts.emplace_back("tool", tool == facts_.tools.end() ? "none" : tool->second);
+    const std::string stem = image_stem(job(), scene, view, reference.name);
     task.outputs = {stem + ".exr", stem + ".png"};
-    const int bounces = kind.bounces(reference_params(reference));
-    task.expected_seconds =
-        1 + (0.3 + megapixels()) * (bounces > 0 ? kRadiositySeconds : kRadiositySeconds / 10) * detail(facts);
-    task.timeout_seconds = double(reference.timeout.count()) / 1000 + 60;
+    const double seconds = kind.bounces(params) > 0 ? kRadiositySeconds : kRadiositySeconds / 10;
+    task.expected_seconds = 1 + (0.3 + megapixels()) * seconds * detail(facts);
+    task.timeout_seconds = double(renderings) * double(reference.timeout.count()) / 1000 + 60;
     task.resources.memory_mb = int(100 + 100 * megapixels() + double(facts.triangles) / 1000);
     const auto missing = facts_.missing_tools.find(reference.kind);
     if (task.refused.empty() && missing != facts_.missing_tools.end()) task.refused = missing->second;

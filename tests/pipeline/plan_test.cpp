@@ -184,5 +184,35 @@ TEST(Plan, AVariantThatCannotShowASceneSaysWhy) {
   EXPECT_EQ(task_called(plan, "snapshot:one/a/direct").refused, "");
 }
 
+Plan plan_with_reference(const std::string& reference) {
+  return plan_of(concrete_job(replaced(kJobText, R"({"name": "truth", "kind": "povray"})", reference)));
+}
+
+TEST(PlanReferences, ThePathTracerRendersTheSceneItself) {
+  const Plan plan = plan_with_reference(R"({"name": "truth", "kind": "path_tracer"})");
+  for (const Task& task : plan.tasks) EXPECT_NE(task.kind, TaskKind::export_) << task.id;
+  EXPECT_THAT(task_called(plan, "reference:one/a/truth").deps, IsEmpty());
+}
+
+TEST(PlanReferences, ThePathTracersKeyHasTheScenesFiles) {
+  const Job job = concrete_job(replaced(kJobText, R"("kind": "povray")", R"("kind": "path_tracer")"));
+  PlanFacts facts = facts_for(job);
+  const Plan before = make_plan(job, facts, "/out");
+  facts.scenes[1].files = {{"two.obj", "other bytes"}};
+  const Plan after = make_plan(job, facts, "/out");
+  EXPECT_TRUE(changed_tasks(before, after).contains("reference:two/a/truth"));
+  EXPECT_FALSE(changed_tasks(before, after).contains("reference:one/a/truth"));
+}
+
+TEST(PlanReferences, AnEstimateOfNoiseExportsASecondView) {
+  const Plan plan =
+      plan_with_reference(R"({"name": "truth", "kind": "povray", "params": {"estimate_noise": true}})");
+  EXPECT_THAT(task_called(plan, "export:one/a/truth").outputs,
+              ElementsAre("views/one/a/truth.pov", "views/one/a/truth~~second.pov"));
+  const Plan direct = plan_with_reference(
+      R"({"name": "truth", "kind": "povray", "preset": "direct", "params": {"estimate_noise": true}})");
+  EXPECT_THAT(task_called(direct, "export:one/a/truth").outputs, ElementsAre("views/one/a/truth.pov"));
+}
+
 }  // namespace
 }  // namespace lightbench
