@@ -25,6 +25,7 @@ Emitters::Emitters(const Scene& scene) : scene_(scene) {
       if (largest_component(material.emission) > 0) add(entity, mesh, part, material);
     }
   }
+  if (!empty()) per_emission_ = float(1 / cumulative_.back());
 }
 
 void Emitters::add(const Entity& entity, const Mesh& mesh, const MeshPart& part, const Material& material) {
@@ -39,10 +40,6 @@ void Emitters::add(const Entity& entity, const Mesh& mesh, const MeshPart& part,
     const double before = cumulative_.empty() ? 0 : cumulative_.back();
     cumulative_.push_back(before + area * double(largest_component(material.emission)));
   }
-}
-
-float Emitters::density(const glm::vec3& emission) const {
-  return triangles_.empty() ? 0 : float(double(largest_component(emission)) / cumulative_.back());
 }
 
 EmitterPoint Emitters::sample(float pick, float u, float v) const {
