@@ -33,7 +33,7 @@ class Emitters {
 
  private:
   struct Triangle {
-    glm::vec3 corner, edge_u, edge_v;
+    glm::vec3 corner, edge_u, edge_v, normal;
     const Mesh* mesh;
     glm::uvec3 vertices;
     const Material* material;

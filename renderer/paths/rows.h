@@ -24,15 +24,19 @@ inline Vec8 vec_of(const Fields8& fields, int first) {
 [[gnu::always_inline]] inline void transpose(Fields8& fields) {
   Float8(&r)[kLanes] = fields.v;
   Float8 a[kLanes], b[kLanes];
+#pragma GCC unroll 8
   for (int i = 0; i < kLanes; i += 2) {
     a[i] = __builtin_shufflevector(r[i], r[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
     a[i + 1] = __builtin_shufflevector(r[i], r[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
   }
+#pragma GCC unroll 8
   for (int i = 0; i < kLanes; i += 4)
+#pragma GCC unroll 8
     for (int j = 0; j < 2; ++j) {
       b[i + 2 * j] = __builtin_shufflevector(a[i + j], a[i + 2 + j], 0, 1, 8, 9, 4, 5, 12, 13);
       b[i + 2 * j + 1] = __builtin_shufflevector(a[i + j], a[i + 2 + j], 2, 3, 10, 11, 6, 7, 14, 15);
     }
+#pragma GCC unroll 8
   for (int i = 0; i < 4; ++i) {
     r[i] = __builtin_shufflevector(b[i], b[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
     r[i + 4] = __builtin_shufflevector(b[i], b[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
@@ -48,6 +52,7 @@ struct alignas(64) Row {
 template <Float8 Row::*half, typename Index>
 [[gnu::always_inline]] inline Fields8 load_half(const Row* rows, const Index& index) {
   Fields8 result;
+#pragma GCC unroll 8
   for (int i = 0; i < kLanes; ++i) result.v[i] = rows[index(i)].*half;
   transpose(result);
   return result;

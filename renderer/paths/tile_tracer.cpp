@@ -136,14 +136,14 @@ void TileTracer::add_samples(int first, int end) {
 
 /// Paths are numbered point by point, so that those of a wave start close together.
 void TileTracer::begin_wave(std::int64_t first_path, int count, int first_sample, int samples) {
-  for (int i = 0; i < count; ++i) {
-    const std::int64_t path = first_path + i;
-    const int point = int(path / (2 * samples)), sample = int(path % (2 * samples));
-    const int half = sample / samples;
+  int point = int(first_path / (2 * samples)), sample = int(first_path % (2 * samples));
+  for (int i = 0; i < count; ++i, ++sample) {
+    if (sample == 2 * samples) sample = 0, ++point;
+    const int half = sample < samples ? 0 : 1;
     Row& row = vertices_[std::size_t(i)] = points_[std::size_t(point)];
     UInt8 high = as_numbers(row.high);
     high[kSeedField] = half_seed(high[kSeedField], half);
-    high[kIndexField] = std::uint32_t(first_sample + sample % samples);
+    high[kIndexField] = std::uint32_t(first_sample + sample - half * samples);
     high[kSlotField] += std::uint32_t(half);
     row.high = as_floats(high);
   }
