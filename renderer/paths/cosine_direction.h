@@ -13,7 +13,7 @@ struct CosineDirection8 {
 
 /// Directions around unit normals with a density in proportion to their cosine, from points of the unit
 /// square: the concentric map of Shirley and Chiu (1997), lifted to the hemisphere.
-inline CosineDirection8 cosine_direction(Float8 u, Float8 v, const Vec8& normal) {
+[[gnu::always_inline]] inline CosineDirection8 cosine_direction(Float8 u, Float8 v, const Vec8& normal) {
   const Float8 a = 2 * u - 1, b = 2 * v - 1;
   const Int8 wide = abs8(a) > abs8(b);
   const Float8 radius = select(wide, a, b);

@@ -11,14 +11,14 @@ namespace {
 constexpr std::size_t kFewLights = 4;
 constexpr int kAskedLights = 2;
 
-void add_ray(ShadowQueue& queue, const PathLight& light, const Surfaces8& s, int lane, const Vec8& to_light,
-             const glm::vec3& value, std::uint32_t slot) {
-  const glm::vec3 way = to_light.lane(lane), position = s.position.lane(lane);
-  const glm::vec3 origin = leave(position, s.offset.lane(lane), way);
+void add_rays(ShadowQueue& queue, const PathLight& light, const Surfaces8& s, Int8 mask, const Vec8& to_light,
+              const Vec8& value, UInt8 slots) {
+  if (!any(mask)) return;
+  const Vec8 origin = leave(s.position, s.offset, to_light);
   if (light.directional())
-    queue.add({origin, way}, std::numeric_limits<float>::infinity(), value, slot);
+    queue.add(mask, {origin, to_light}, splat(std::numeric_limits<float>::infinity()), value, slots);
   else
-    queue.add({origin, way + (position - origin)}, kShadowEnd, value, slot);
+    queue.add(mask, {origin, to_light + (s.position - origin)}, splat(kShadowEnd), value, slots);
 }
 
 }  // namespace
@@ -32,8 +32,7 @@ void DirectSampler::ask_all(ShadowQueue& queue, const Surfaces8& surfaces, Int8 
   for (const PathLight& light : scene_.lights) {
     const Arriving8 arriving = light.reflect(surfaces, viewer);
     const Vec8 value = arriving.reflected * share;
-    for_lanes(mask & (largest(value) > 0),
-              [&](int i) { add_ray(queue, light, surfaces, i, arriving.to_light, value.lane(i), slots[i]); });
+    add_rays(queue, light, surfaces, mask & (largest(value) > 0), arriving.to_light, value, slots);
   }
 }
 
@@ -51,12 +50,14 @@ void DirectSampler::ask_some(ShadowQueue& queue, const Surfaces8& surfaces, Int8
   for (std::size_t light = 0; light < arriving_.size(); ++light) {
     const Float8 weight = largest(arriving_[light].reflected);
     passed += weight;
-    for_lanes(mask & (weight > 0) & (next < passed), [&](int i) {
-      int picked = 0;
-      for (; next[i] < passed[i]; next[i] += step[i]) ++picked;
-      const glm::vec3 value = arriving_[light].reflected.lane(i) * (float(picked) * step[i] / weight[i]);
-      add_ray(queue, scene_.lights[light], surfaces, i, arriving_[light].to_light, value, slots[i]);
-    });
+    const Int8 picked = mask & (weight > 0) & (next < passed);
+    Float8 times{};
+    for (Int8 more = picked; any(more); more = picked & (next < passed)) {
+      times += select(more, splat(1), splat(0));
+      next += select(more, step, splat(0));
+    }
+    const Vec8 value = arriving_[light].reflected * (times * step / weight);
+    add_rays(queue, scene_.lights[light], surfaces, picked, arriving_[light].to_light, value, slots);
   }
 }
 

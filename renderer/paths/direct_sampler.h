@@ -27,9 +27,9 @@ class DirectSampler {
   std::vector<Arriving8> arriving_;  ///< by light, for ask_some
 };
 
-/// Where a ray in that direction starts: the side of the surface towards which it goes.
-inline glm::vec3 leave(const glm::vec3& position, const glm::vec3& offset, const glm::vec3& direction) {
-  return glm::dot(offset, direction) >= 0 ? position + offset : position - offset;
+/// Where rays in these directions start: on the side of the surface towards which they go.
+inline Vec8 leave(const Vec8& position, const Vec8& offset, const Vec8& direction) {
+  return select(dot(offset, direction) >= 0, position + offset, position - offset);
 }
 
 /// Where shadow rays end before a light or an emitter, as a share of the way.

@@ -25,6 +25,7 @@ Emitters::Emitters(const Scene& scene) : scene_(scene) {
       if (largest_component(material.emission) > 0) add(entity, mesh, part, material);
     }
   }
+  if (!empty()) per_emission_ = float(1 / cumulative_.back());
 }
 
 void Emitters::add(const Entity& entity, const Mesh& mesh, const MeshPart& part, const Material& material) {
@@ -33,16 +34,13 @@ void Emitters::add(const Entity& entity, const Mesh& mesh, const MeshPart& part,
     const glm::vec3 corner = transform_point(entity.transform, mesh.positions[t.x]);
     const glm::vec3 edge_u = transform_point(entity.transform, mesh.positions[t.y]) - corner;
     const glm::vec3 edge_v = transform_point(entity.transform, mesh.positions[t.z]) - corner;
-    const double area = 0.5 * double(glm::length(glm::cross(edge_u, edge_v)));
+    const glm::vec3 across = glm::cross(edge_u, edge_v);
+    const double area = 0.5 * double(glm::length(across));
     if (!(area > 0) || !std::isfinite(area)) continue;
-    triangles_.push_back({corner, edge_u, edge_v, &mesh, t, &material});
+    triangles_.push_back({corner, edge_u, edge_v, glm::normalize(across), &mesh, t, &material});
     const double before = cumulative_.empty() ? 0 : cumulative_.back();
     cumulative_.push_back(before + area * double(largest_component(material.emission)));
   }
-}
-
-float Emitters::density(const glm::vec3& emission) const {
-  return triangles_.empty() ? 0 : float(double(largest_component(emission)) / cumulative_.back());
 }
 
 EmitterPoint Emitters::sample(float pick, float u, float v) const {
@@ -52,8 +50,7 @@ EmitterPoint Emitters::sample(float pick, float u, float v) const {
   // Uniform over the triangle, keeping the strata of the square (Shirley, Wang, Zimmerman 1996).
   const float root = std::sqrt(u);
   const float a = root * (1 - v), b = root * v;
-  EmitterPoint point{t.corner + a * t.edge_u + b * t.edge_v, glm::normalize(glm::cross(t.edge_u, t.edge_v)),
-                     t.material->emission};
+  EmitterPoint point{t.corner + a * t.edge_u + b * t.edge_v, t.normal, t.material->emission};
   if (t.material->cutout_texture != kNoTexture && !t.mesh->uvs.empty()) {
     const auto& uvs = t.mesh->uvs;
     const glm::vec2 uv = (1 - a - b) * uvs[t.vertices.x] + a * uvs[t.vertices.y] + b * uvs[t.vertices.z];

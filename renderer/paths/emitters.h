@@ -22,14 +22,18 @@ class Emitters {
   explicit Emitters(const Scene& scene);
 
   bool empty() const { return triangles_.empty(); }
-  /// The density per unit of area where the surface has this emission.
-  float density(const glm::vec3& emission) const;
+  /// The density per unit of area where this is the largest component of the emission: the same factor for
+  /// floats and vectors of them.
+  template <typename Value>
+  Value density(Value largest_component) const {
+    return largest_component * per_emission_;
+  }
   /// All arguments 0..1. The emission is 0 in the hole of a cut-out.
   EmitterPoint sample(float pick, float u, float v) const;
 
  private:
   struct Triangle {
-    glm::vec3 corner, edge_u, edge_v;
+    glm::vec3 corner, edge_u, edge_v, normal;
     const Mesh* mesh;
     glm::uvec3 vertices;
     const Material* material;
@@ -38,6 +42,7 @@ class Emitters {
 
   const Scene& scene_;
   std::vector<Triangle> triangles_;
+  float per_emission_ = 0;          ///< 1 over the last of cumulative_
   std::vector<double> cumulative_;  ///< of area * largest component, up to and with each triangle
 };
 

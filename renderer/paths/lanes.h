@@ -49,6 +49,10 @@ inline Float8 load8(const float* from) {
   using Aliased = float __attribute__((vector_size(32), may_alias));
   return *reinterpret_cast<const Aliased*>(from);
 }
+inline void store8(float* to, Float8 v) {
+  using Aliased = float __attribute__((vector_size(32), may_alias));
+  *reinterpret_cast<Aliased*>(to) = v;
+}
 inline UInt8 load8(const std::uint32_t* from) {
   using Aliased = std::uint32_t __attribute__((vector_size(32), may_alias));
   return *reinterpret_cast<const Aliased*>(from);

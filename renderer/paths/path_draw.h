@@ -9,7 +9,7 @@ enum class Draw : std::uint32_t { direction, emitter_pick, emitter_place, light_
 
 /// The numbers of the index-th path of those that share a seed.
 template <typename UInt>
-SobolPair<UInt> draw(UInt index, UInt path_seed, int bounce, Draw purpose) {
+[[gnu::always_inline]] inline SobolPair<UInt> draw(UInt index, UInt path_seed, int bounce, Draw purpose) {
   return sobol_pair(index, hash_pair(path_seed, 4 * std::uint32_t(bounce) + std::uint32_t(purpose)));
 }
 

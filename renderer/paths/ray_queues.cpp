@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <limits>
 
 namespace lightbench {
@@ -24,15 +25,15 @@ class Stopwatch {
   Clock::time_point start_;
 };
 
-void set_lane(RTCRay8& packet, int lane, const PathRay& ray, float far) {
-  packet.org_x[lane] = ray.origin.x;
-  packet.org_y[lane] = ray.origin.y;
-  packet.org_z[lane] = ray.origin.z;
-  packet.dir_x[lane] = ray.direction.x;
-  packet.dir_y[lane] = ray.direction.y;
-  packet.dir_z[lane] = ray.direction.z;
-  packet.tnear[lane] = 0;
-  packet.tfar[lane] = far;
+void set_packet(RTCRay8& packet, const Rays8& rays, Float8 far) {
+  store8(packet.org_x, rays.origin.x);
+  store8(packet.org_y, rays.origin.y);
+  store8(packet.org_z, rays.origin.z);
+  store8(packet.dir_x, rays.direction.x);
+  store8(packet.dir_y, rays.direction.y);
+  store8(packet.dir_z, rays.direction.z);
+  store8(packet.tnear, Float8{});
+  store8(packet.tfar, far);
 }
 
 /// What all rays share. Fields that Embree does not read for our scenes are set once, so that nothing is
@@ -60,12 +61,11 @@ void HitQueue::resize(int count) {
   for (std::size_t i = before; i < packets_.size(); ++i) prepare(packets_[i].ray);
 }
 
-void HitQueue::set(int index, const PathRay& ray) {
-  RTCRayHit8& packet = packets_[std::size_t(index / kLanes)];
-  const int lane = index % kLanes;
-  set_lane(packet.ray, lane, ray, std::numeric_limits<float>::infinity());
-  packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-  packet.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+void HitQueue::set(int index, const Rays8& rays) {
+  RTCRayHit8& packet = packets_[std::size_t(index)];
+  set_packet(packet.ray, rays, splat(std::numeric_limits<float>::infinity()));
+  std::fill(std::begin(packet.hit.geomID), std::end(packet.hit.geomID), RTC_INVALID_GEOMETRY_ID);
+  std::fill(std::begin(packet.hit.instID[0]), std::end(packet.hit.instID[0]), RTC_INVALID_GEOMETRY_ID);
 }
 
 void HitQueue::trace(RTCScene scene, RayTally& tally) {
@@ -80,31 +80,46 @@ void HitQueue::trace(RTCScene scene, RayTally& tally) {
 }
 
 ShadowQueue::ShadowQueue(RTCScene scene, std::vector<glm::vec3>& sums)
-    : scene_(scene), sums_(sums), packets_(kShadowRays / kLanes), lights_(kShadowRays) {
+    : scene_(scene), sums_(sums), rows_(kShadowRays), packets_(kShadowRays / kLanes) {
   for (RTCRay8& packet : packets_) prepare(packet);
 }
 
-void ShadowQueue::add(const PathRay& ray, float far, const glm::vec3& light, std::uint32_t slot) {
-  set_lane(packets_[std::size_t(size_ / kLanes)], size_ % kLanes, ray, far);
-  lights_[std::size_t(size_)] = {light, slot};
-  if (++size_ == kShadowRays) flush();
+void ShadowQueue::add(Int8 mask, const Rays8& rays, Float8 far, const Vec8& light, UInt8 slots) {
+  if (size_ + kLanes > kShadowRays) flush();
+  Fields8 low{}, high{};
+  set_fields(low, 0, rays.origin);
+  set_fields(low, 3, rays.direction);
+  low.v[6] = far;
+  set_fields(high, 0, light);
+  high.v[3] = as_floats(slots);
+  append(rows_, size_, low, high, mask);
 }
 
 void ShadowQueue::flush() {
-  {
-    const Stopwatch watch(tally_, size_);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    alignas(32) int valid[kLanes];
-    for (int i = 0; kLanes * i < size_; ++i) {
-      set_valid(valid, size_ - kLanes * i);
-      rtcOccluded8(valid, scene_, &context, &packets_[std::size_t(i)]);
-    }
+  const int packets = (size_ + kLanes - 1) / kLanes;
+  for (int i = 0; i < packets; ++i) {
+    const Fields8 fields =
+        load_half<&Row::low>(&rows_[std::size_t(kLanes * i)], [](int lane) { return lane; });
+    set_packet(packets_[std::size_t(i)], {vec_of(fields, 0), vec_of(fields, 3)}, fields.v[6]);
   }
+  trace(packets);
   for (int i = 0; i < size_; ++i)
-    if (packets_[std::size_t(i / kLanes)].tfar[i % kLanes] >= 0)  // Embree's mark of a hit is below
-      sums_[lights_[std::size_t(i)].slot] += lights_[std::size_t(i)].value;
+    if (packets_[std::size_t(i / kLanes)].tfar[i % kLanes] >= 0) {  // Embree's mark of a hit is below
+      const Float8& light = rows_[std::size_t(i)].high;
+      sums_[as_numbers(light)[3]] += glm::vec3(light[0], light[1], light[2]);
+    }
   size_ = 0;
+}
+
+void ShadowQueue::trace(int packets) {
+  const Stopwatch watch(tally_, size_);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  alignas(32) int valid[kLanes];
+  for (int i = 0; i < packets; ++i) {
+    set_valid(valid, size_ - kLanes * i);
+    rtcOccluded8(valid, scene_, &context, &packets_[std::size_t(i)]);
+  }
 }
 
 }  // namespace lightbench

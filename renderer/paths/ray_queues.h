@@ -6,7 +6,7 @@
 #include <embree3/rtcore.h>
 #include <glm/vec3.hpp>
 
-#include "renderer/paths/lanes.h"
+#include "renderer/paths/rows.h"
 
 namespace lightbench {
 
@@ -22,9 +22,10 @@ struct RayTally {
   }
 };
 
-struct PathRay {
-  glm::vec3 origin;
-  glm::vec3 direction;
+/// Eight rays.
+struct Rays8 {
+  Vec8 origin;
+  Vec8 direction;
 };
 
 /// The lanes of a traced packet that hit something.
@@ -35,15 +36,14 @@ inline Int8 hit_lanes(const RTCRayHit8& packet) {
 /// Rays to closest hits, in packets of eight.
 class HitQueue {
  public:
-  /// For `count` rays, of which set() must be called for each.
+  /// For `count` rays, of which set() must be called for each packet.
   void resize(int count);
-  void set(int index, const PathRay& ray);
+  void set(int packet, const Rays8& rays);
   void trace(RTCScene scene, RayTally& tally);
 
   int size() const { return size_; }
   int packets() const { return (size_ + 7) / 8; }
   const RTCRayHit8& packet(int index) const { return packets_[std::size_t(index)]; }
-  RTCRayHit8& packet(int index) { return packets_[std::size_t(index)]; }
 
  private:
   std::vector<RTCRayHit8> packets_;
@@ -56,20 +56,19 @@ class ShadowQueue {
  public:
   ShadowQueue(RTCScene scene, std::vector<glm::vec3>& sums);
 
-  /// From the ray's origin to `far` times its direction; `light` goes to sums[slot].
-  void add(const PathRay& ray, float far, const glm::vec3& light, std::uint32_t slot);
+  /// The rays in the lanes of the mask, from their origins to `far` times their directions; `light` goes to
+  /// sums[slot].
+  void add(Int8 mask, const Rays8& rays, Float8 far, const Vec8& light, UInt8 slots);
   void flush();
   const RayTally& tally() const { return tally_; }
 
  private:
-  struct Light {
-    glm::vec3 value;
-    std::uint32_t slot;
-  };
+  void trace(int packets);
+
   RTCScene scene_;
   std::vector<glm::vec3>& sums_;
+  std::vector<Row> rows_;  ///< rays in the lower half; light and slot in the upper
   std::vector<RTCRay8> packets_;
-  std::vector<Light> lights_;
   int size_ = 0;
   RayTally tally_;
 };

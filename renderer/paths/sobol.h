@@ -8,7 +8,7 @@
 namespace lightbench {
 
 template <typename UInt>
-UInt reverse_bits(UInt n) {
+[[gnu::always_inline]] inline UInt reverse_bits(UInt n) {
   n = (n << 16) | (n >> 16);
   n = ((n & 0x00ff00ffu) << 8) | ((n & 0xff00ff00u) >> 8);
   n = ((n & 0x0f0f0f0fu) << 4) | ((n & 0xf0f0f0f0u) >> 4);
@@ -18,7 +18,7 @@ UInt reverse_bits(UInt n) {
 
 /// A good hash of 32 bits (Wellons's lowbias32).
 template <typename UInt>
-UInt hash_bits(UInt n) {
+[[gnu::always_inline]] inline UInt hash_bits(UInt n) {
   n ^= n >> 16;
   n *= 0x21f0aaadu;
   n ^= n >> 15;
@@ -28,14 +28,14 @@ UInt hash_bits(UInt n) {
 
 /// A hash of both.
 template <typename UInt>
-UInt hash_pair(UInt seed, std::uint32_t value) {
+[[gnu::always_inline]] inline UInt hash_pair(UInt seed, std::uint32_t value) {
   return hash_bits(seed ^ (value * 0x9e3779b9u + 0x85ebca6bu));
 }
 
 /// A permutation in which each bit is flipped by a hash of the bits below it (Laine and Karras, 2011, with
 /// Vegdahl's constants).
 template <typename UInt>
-UInt laine_karras(UInt n, UInt seed) {
+[[gnu::always_inline]] inline UInt laine_karras(UInt n, UInt seed) {
   n ^= n * 0x3d20adeau;
   n += seed;
   n *= (seed >> 16) | 1u;
@@ -48,7 +48,7 @@ UInt laine_karras(UInt n, UInt seed) {
 /// triangle modulo 2, where (i over k) is odd when k's bits are among i's: a sum over supersets, made bit by
 /// bit. The first dimension with its bits reversed is the index itself.
 template <typename UInt>
-UInt sobol_second_reversed(UInt index) {
+[[gnu::always_inline]] inline UInt sobol_second_reversed(UInt index) {
   index ^= (index & 0xaaaaaaaau) >> 1;
   index ^= (index & 0xccccccccu) >> 2;
   index ^= (index & 0xf0f0f0f0u) >> 4;
@@ -63,7 +63,7 @@ struct SobolPair {
 
 /// The index-th point of the scrambled (0,2)-sequence that `seed` picks.
 template <typename UInt>
-SobolPair<UInt> sobol_pair(UInt index, UInt seed) {
+[[gnu::always_inline]] inline SobolPair<UInt> sobol_pair(UInt index, UInt seed) {
   const UInt shuffled = reverse_bits(laine_karras(reverse_bits(index), hash_pair(seed, 0)));
   return {reverse_bits(laine_karras(shuffled, hash_pair(seed, 1))),
           reverse_bits(laine_karras(sobol_second_reversed(shuffled), hash_pair(seed, 2)))};

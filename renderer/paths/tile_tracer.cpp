@@ -16,28 +16,51 @@ namespace {
 
 constexpr int kWave = 2048;  // paths; their state fits the second-level cache
 
+/// In the upper half of a row of vertices and of flights.
+enum { kSeedField = 4, kIndexField, kSlotField };
+
 bool is_black(const glm::vec3& v) {
   return !(v.x > 0 || v.y > 0 || v.z > 0);
 }
 
+/// Three bits in every third place.
+Int8 spread_bits(Int8 n) {
+  return (n & 1) | (n & 2) << 2 | (n & 4) << 4;
+}
+
 /// Eight by eight by eight cells of the cube around the sphere of directions, in Morton order.
-std::uint16_t direction_key(const glm::vec3& d) {
-  constexpr std::array<std::uint16_t, 8> spread{0, 1, 8, 9, 64, 65, 72, 73};
-  const auto cell = [&](float v) { return spread[std::size_t(std::clamp(int(4 * v + 4), 0, 7))]; };
-  return std::uint16_t(cell(d.x) | cell(d.y) << 1 | cell(d.z) << 2);
+Int8 direction_keys(const Vec8& d) {
+  const auto cell = [](Float8 v) {
+    return spread_bits(__builtin_convertvector(min8(4 * v + 4, splat(7)), Int8) & 7);
+  };
+  return cell(d.x) | cell(d.y) << 1 | cell(d.z) << 2;
 }
 constexpr int kDirectionKeys = 512;
 
 }  // namespace
 
-void TileTracer::Vertices8::copy_lane(int lane, const Vertices8& from, int from_lane) {
-  position.set_lane(lane, from.position.lane(from_lane));
-  normal.set_lane(lane, from.normal.lane(from_lane));
-  offset.set_lane(lane, from.offset.lane(from_lane));
-  throughput.set_lane(lane, from.throughput.lane(from_lane));
-  seed[lane] = from.seed[from_lane];
-  index[lane] = from.index[from_lane];
-  slot[lane] = from.slot[from_lane];
+TileTracer::Vertices8 TileTracer::Vertices8::load(const Row* rows) {
+  const auto lane = [](int i) { return i; };
+  const Fields8 low = load_half<&Row::low>(rows, lane), high = load_half<&Row::high>(rows, lane);
+  return {vec_of(low, 0),
+          vec_of(low, 3),
+          {low.v[6], low.v[7], high.v[0]},
+          vec_of(high, 1),
+          as_numbers(high.v[kSeedField]),
+          as_numbers(high.v[kIndexField]),
+          as_numbers(high.v[kSlotField])};
+}
+
+void TileTracer::Vertices8::append_to(std::vector<Row>& rows, int& size, Int8 mask) const {
+  Fields8 low, high{};
+  set_fields(low, 0, position);
+  set_fields(low, 3, normal);
+  low.v[6] = offset.x, low.v[7] = offset.y, high.v[0] = offset.z;
+  set_fields(high, 1, throughput);
+  high.v[kSeedField] = as_floats(seed);
+  high.v[kIndexField] = as_floats(index);
+  high.v[kSlotField] = as_floats(slot);
+  append(rows, size, low, high, mask);
 }
 
 TileTracer::TileTracer(const PathScene& scene, const PathCamera& camera, int bounces, std::uint64_t seed)
@@ -45,7 +68,7 @@ TileTracer::TileTracer(const PathScene& scene, const PathCamera& camera, int bou
       camera_(camera),
       bounces_(bounces),
       seed_(picture_seed(seed)),
-      vertices_(kWave / kLanes),
+      vertices_(kWave),
       flights_(kWave),
       keys_(kWave),
       order_(kWave),
@@ -65,11 +88,17 @@ void TileTracer::start(const RayTile& tile) {
   covered_.assign(std::size_t(rays), 0);
   direct_.assign(std::size_t(rays), glm::vec3(0));
   indirect_.assign(std::size_t(2 * rays), glm::vec3(0));
-  points_.resize(std::size_t((rays + kLanes - 1) / kLanes));
+  points_.resize(std::size_t(rays + kLanes));
   point_count_ = 0;
   hits_.resize(rays);
-  for (int i = 0; i < rays; ++i)
-    hits_.set(i, {camera_.position(), camera_.direction(tile.x + i % tile.width, tile.y + i / tile.width)});
+  for (int packet = 0; packet < hits_.packets(); ++packet) {
+    Rays8 packed{splat(camera_.position()), {}};
+    for (int i = 0; i < kLanes; ++i) {
+      const int ray = std::min(kLanes * packet + i, rays - 1);
+      packed.direction.set_lane(i, camera_.direction(tile.x + ray % tile.width, tile.y + ray / tile.width));
+    }
+    hits_.set(packet, packed);
+  }
   hits_.trace(scene_.embree.top(), primary_);
   for (int i = 0; i < hits_.packets(); ++i) shade_primary(i);
   direct_shadows_.flush();
@@ -88,12 +117,10 @@ void TileTracer::shade_primary(int packet) {
     const int ray = kLanes * packet + i;
     covered_[std::size_t(ray)] = 1;
     direct_[std::size_t(ray)] = s.emission.lane(i);
-    if (is_black(vertices.throughput.lane(i))) return;
     vertices.seed[i] = primary_seed(seed_, tile_.x + ray % tile_.width, tile_.y + ray / tile_.width);
     vertices.slot[i] = std::uint32_t(2 * ray);
-    points_[std::size_t(point_count_ / kLanes)].copy_lane(point_count_ % kLanes, vertices, i);
-    ++point_count_;
   });
+  vertices.append_to(points_, point_count_, mask & (largest(vertices.throughput) > 0));
 }
 
 void TileTracer::add_samples(int first, int end) {
@@ -109,16 +136,16 @@ void TileTracer::add_samples(int first, int end) {
 
 /// Paths are numbered point by point, so that those of a wave start close together.
 void TileTracer::begin_wave(std::int64_t first_path, int count, int first_sample, int samples) {
-  for (int i = 0; i < count; ++i) {
-    const std::int64_t path = first_path + i;
-    const int point = int(path / (2 * samples)), sample = int(path % (2 * samples));
-    const int half = sample / samples;
-    Vertices8& v = vertices_[std::size_t(i / kLanes)];
-    const int lane = i % kLanes;
-    v.copy_lane(lane, points_[std::size_t(point / kLanes)], point % kLanes);
-    v.seed[lane] = half_seed(v.seed[lane], half);
-    v.index[lane] = std::uint32_t(first_sample + sample % samples);
-    v.slot[lane] += std::uint32_t(half);
+  int point = int(first_path / (2 * samples)), sample = int(first_path % (2 * samples));
+  for (int i = 0; i < count; ++i, ++sample) {
+    if (sample == 2 * samples) sample = 0, ++point;
+    const int half = sample < samples ? 0 : 1;
+    Row& row = vertices_[std::size_t(i)] = points_[std::size_t(point)];
+    UInt8 high = as_numbers(row.high);
+    high[kSeedField] = half_seed(high[kSeedField], half);
+    high[kIndexField] = std::uint32_t(first_sample + sample - half * samples);
+    high[kSlotField] += std::uint32_t(half);
+    row.high = as_floats(high);
   }
 }
 
@@ -126,8 +153,7 @@ void TileTracer::trace_wave(int count) {
   for (int bounce = 1; bounce <= bounces_ && count > 0; ++bounce) {
     scatter(count, bounce);
     sort_flights(count);
-    hits_.resize(count);
-    for (int i = 0; i < count; ++i) hits_.set(i, flights_[order_[std::size_t(i)]].ray);
+    queue_rays(count);
     hits_.trace(scene_.embree.top(), diffuse_);
     count = gather(bounce);
   }
@@ -138,46 +164,44 @@ void TileTracer::trace_wave(int count) {
 void TileTracer::sample_emitters(const Vertices8& from, Int8 mask, int bounce) {
   const SobolPair<UInt8> pick = draw(from.index, from.seed, bounce, Draw::emitter_pick);
   const SobolPair<UInt8> place = draw(from.index, from.seed, bounce, Draw::emitter_place);
+  Vec8 position{}, normal{}, emission{};
   for_lanes(mask, [&](int i) {
     const EmitterPoint point =
         scene_.emitters.sample(unit_float(pick.x[i]), unit_float(place.x[i]), unit_float(place.y[i]));
-    const glm::vec3 position = from.position.lane(i);
-    const glm::vec3 way = point.position - position;
-    const float square = glm::dot(way, way);
-    const float cosine = glm::dot(from.normal.lane(i), way),
-                cosine_there = std::abs(glm::dot(point.normal, way));
-    if (!(cosine > 0 && cosine_there > 0)) return;
-    const float length = std::sqrt(square);
-    const float density = scene_.emitters.density(point.emission) * square * length / cosine_there;
-    const float density_of_cosine = cosine / (length * std::numbers::pi_v<float>);
-    const glm::vec3 light =
-        from.throughput.lane(i) * point.emission * (density_of_cosine / (density_of_cosine + density));
-    if (is_black(light)) return;
-    const glm::vec3 origin = leave(position, from.offset.lane(i), way);
-    indirect_shadows_.add({origin, point.position - origin}, kShadowEnd, light, from.slot[i]);
+    position.set_lane(i, point.position);
+    normal.set_lane(i, point.normal);
+    emission.set_lane(i, point.emission);
   });
+  const Vec8 way = position - from.position;
+  const Float8 square = dot(way, way), length = sqrt8(square);
+  const Float8 cosine = dot(from.normal, way), cosine_there = abs8(dot(normal, way));  // times length
+  const Float8 density = scene_.emitters.density(largest(emission)) * square * length / cosine_there;
+  const Float8 density_of_cosine = cosine / (length * std::numbers::pi_v<float>);
+  const Vec8 light = from.throughput * emission * (density_of_cosine / (density_of_cosine + density));
+  const Vec8 origin = leave(from.position, from.offset, way);
+  indirect_shadows_.add(mask & (cosine > 0) & (cosine_there > 0) & (largest(light) > 0),
+                        {origin, position - origin}, splat(kShadowEnd), light, from.slot);
 }
 
 void TileTracer::scatter(int count, int bounce) {
   for (int block = 0; kLanes * block < count; ++block) {
-    const Vertices8& from = vertices_[std::size_t(block)];
-    const Int8 mask = first_lanes(count - kLanes * block);
-    if (!scene_.emitters.empty()) sample_emitters(from, mask, bounce);
+    const Vertices8 from = Vertices8::load(&vertices_[std::size_t(kLanes * block)]);
+    if (!scene_.emitters.empty()) sample_emitters(from, first_lanes(count - kLanes * block), bounce);
     const SobolPair<UInt8> point = draw(from.index, from.seed, bounce, Draw::direction);
     const CosineDirection8 direction =
         cosine_direction(unit_float(point.x), unit_float(point.y), from.normal);
-    const Vec8 origin = select(dot(from.offset, direction.unit) >= 0, from.position + from.offset,
-                               from.position - from.offset);
-    for_lanes(mask, [&](int i) {
-      const auto path = std::size_t(kLanes * block + i);
-      flights_[path] = {{origin.lane(i), direction.unit.lane(i)},
-                        from.throughput.lane(i),
-                        direction.density[i],
-                        from.seed[i],
-                        from.index[i],
-                        from.slot[i]};
-      keys_[path] = direction_key(flights_[path].ray.direction);
-    });
+    Fields8 ray{}, rest{};
+    set_fields(ray, 0, leave(from.position, from.offset, direction.unit));
+    set_fields(ray, 3, direction.unit);
+    set_fields(rest, 0, from.throughput);
+    rest.v[3] = direction.density;
+    rest.v[kSeedField] = as_floats(from.seed);
+    rest.v[kIndexField] = as_floats(from.index);
+    rest.v[kSlotField] = as_floats(from.slot);
+    const Int8 keys = direction_keys(direction.unit);
+    for (int i = 0; i < kLanes; ++i) keys_[std::size_t(kLanes * block + i)] = std::uint16_t(keys[i]);
+    int first = kLanes * block;
+    append(flights_, first, ray, rest, first_lanes(kLanes));
   }
 }
 
@@ -190,20 +214,32 @@ void TileTracer::sort_flights(int count) {
   for (int i = 0; i < count; ++i) order_[start[keys_[std::size_t(i)]]++] = std::uint16_t(i);
 }
 
+/// Lanes behind the last path repeat it.
+void TileTracer::queue_rays(int count) {
+  hits_.resize(count);
+  for (int packet = 0; packet < hits_.packets(); ++packet) {
+    const Fields8 ray = load_half<&Row::low>(flights_.data(), [&](int i) {
+      return order_[std::size_t(std::min(kLanes * packet + i, count - 1))];
+    });
+    hits_.set(packet, {vec_of(ray, 0), vec_of(ray, 3)});
+  }
+}
+
+TileTracer::Flights8 TileTracer::flights(int packet) const {
+  const Fields8 rest = load_half<&Row::high>(flights_.data(), [&](int i) {
+    return order_[std::size_t(std::min(kLanes * packet + i, hits_.size() - 1))];
+  });
+  return {vec_of(rest, 0), rest.v[3], as_numbers(rest.v[kSeedField]), as_numbers(rest.v[kIndexField]),
+          as_numbers(rest.v[kSlotField])};
+}
+
 int TileTracer::gather(int bounce) {
   int kept = 0;
   for (int packet = 0; packet < hits_.packets(); ++packet) {
     const RTCRayHit8& rays = hits_.packet(packet);
     const Int8 valid = first_lanes(hits_.size() - kLanes * packet);
     const Int8 mask = valid & hit_lanes(rays);
-    Vertices8 paths{};
-    for_lanes(valid, [&](int i) {
-      const Flight& flight = flights_[order_[std::size_t(kLanes * packet + i)]];
-      paths.throughput.set_lane(i, flight.throughput);
-      paths.seed[i] = flight.seed;
-      paths.index[i] = flight.index;
-      paths.slot[i] = flight.slot;
-    });
+    const Flights8 paths = flights(packet);
     if (!is_black(scene_.sky))
       for_lanes(valid & ~mask,
                 [&](int i) { indirect_[paths.slot[i]] += paths.throughput.lane(i) * scene_.sky; });
@@ -211,34 +247,27 @@ int TileTracer::gather(int bounce) {
     Surfaces8 s = scene_.surfaces.shade(rays, mask);
     s.specular =
         Float8{};  // POV-Ray's radiosity sees no highlights (measured: a mirror of Phong's lights nothing)
-    add_emission(s, mask, packet);
+    if (any(largest(s.emission) > 0)) add_emission(s, mask, paths, packet);
     const Vec8 viewer = -load_vec8(rays.ray.dir_x, rays.ray.dir_y, rays.ray.dir_z);
     const Float8 random =
         lights_.picks() ? unit_float(draw(paths.index, paths.seed, bounce, Draw::light_pick).x) : Float8{};
     lights_.ask_some(indirect_shadows_, s, mask, viewer, paths.throughput, paths.slot, random);
     if (bounce == bounces_) continue;
-    paths.position = s.position;
-    paths.normal = s.normal;
-    paths.offset = s.offset;
-    paths.throughput = paths.throughput * s.albedo * s.reflectance;
-    for_lanes(mask & (largest(paths.throughput) > 0), [&](int i) {
-      vertices_[std::size_t(kept / kLanes)].copy_lane(kept % kLanes, paths, i);
-      ++kept;
-    });
+    const Vertices8 next{s.position, s.normal,    s.offset,  paths.throughput * s.albedo * s.reflectance,
+                         paths.seed, paths.index, paths.slot};
+    next.append_to(vertices_, kept, mask & (largest(next.throughput) > 0));
   }
   return kept;
 }
 
 /// The part of the balance heuristic that sample_emitters leaves.
-void TileTracer::add_emission(const Surfaces8& surfaces, Int8 mask, int packet) {
-  const RTCRayHit8& rays = hits_.packet(packet);
-  for_lanes(mask & (largest(surfaces.emission) > 0), [&](int i) {
-    const Flight& flight = flights_[order_[std::size_t(kLanes * packet + i)]];
-    const glm::vec3 emission = surfaces.emission.lane(i);
-    const float distance = rays.ray.tfar[i];
-    const float density = scene_.emitters.density(emission) * distance * distance / surfaces.facing[i];
-    indirect_[flight.slot] += flight.throughput * emission * (flight.density / (flight.density + density));
-  });
+void TileTracer::add_emission(const Surfaces8& surfaces, Int8 mask, const Flights8& flights, int packet) {
+  const Float8 distance = load8(hits_.packet(packet).ray.tfar);
+  const Float8 density =
+      scene_.emitters.density(largest(surfaces.emission)) * distance * distance / surfaces.facing;
+  const Vec8 light = flights.throughput * surfaces.emission * (flights.density / (flights.density + density));
+  for_lanes(mask & (largest(surfaces.emission) > 0),
+            [&](int i) { indirect_[flights.slot[i]] += light.lane(i); });
 }
 
 }  // namespace lightbench

@@ -49,14 +49,14 @@ class TileTracer {
     Vec8 throughput;  ///< share of the light arriving here that the primary ray shows
     UInt8 seed, index, slot;
 
-    void copy_lane(int lane, const Vertices8& from, int from_lane);
+    static Vertices8 load(const Row* rows);
+    void append_to(std::vector<Row>& rows, int& size, Int8 mask) const;
   };
-  /// A path on its way to the next surface: one cache line.
-  struct alignas(64) Flight {
-    PathRay ray;
-    glm::vec3 throughput;
-    float density;  ///< of the direction, per steradian
-    std::uint32_t seed, index, slot;
+  /// Paths on their way to the next surface, but for their rays.
+  struct Flights8 {
+    Vec8 throughput;
+    Float8 density;  ///< of the direction, per steradian
+    UInt8 seed, index, slot;
   };
 
   void shade_primary(int packet);
@@ -65,8 +65,10 @@ class TileTracer {
   void sample_emitters(const Vertices8& from, Int8 mask, int bounce);
   void scatter(int count, int bounce);
   void sort_flights(int count);
+  void queue_rays(int count);
   int gather(int bounce);
-  void add_emission(const Surfaces8& surfaces, Int8 mask, int packet);
+  Flights8 flights(int packet) const;
+  void add_emission(const Surfaces8& surfaces, Int8 mask, const Flights8& flights, int packet);
 
   const PathScene& scene_;
   const PathCamera& camera_;
@@ -76,11 +78,11 @@ class TileTracer {
 
   std::vector<std::uint8_t> covered_;
   std::vector<glm::vec3> direct_, indirect_;
-  std::vector<Vertices8> points_;  ///< primary hits that reflect light, packed
+  std::vector<Row> points_;  ///< Vertices8 of primary hits that reflect light
   int point_count_ = 0;
 
-  std::vector<Vertices8> vertices_;  ///< of the wave
-  std::vector<Flight> flights_;
+  std::vector<Row> vertices_;  ///< of the wave
+  std::vector<Row> flights_;   ///< rays in the lower half, Flights8 in the upper
   std::vector<std::uint16_t> keys_, order_;
   DirectSampler lights_;
   HitQueue hits_;

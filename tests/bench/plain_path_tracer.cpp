@@ -137,6 +137,10 @@ class PlainTracer {
     return t * t * (3 - 2 * t);
   }
 
+  float density(const glm::vec3& emission) const {
+    return scene_.emitters.density(std::max({emission.x, emission.y, emission.z}));
+  }
+
   glm::vec3 emitted(const Hit& hit, std::uint32_t seed, std::uint32_t index, int bounce) const {
     const auto pick = draw(index, seed, bounce, Draw::emitter_pick);
     const auto place = draw(index, seed, bounce, Draw::emitter_place);
@@ -146,9 +150,9 @@ class PlainTracer {
     const float square = glm::dot(way, way), length = std::sqrt(square);
     const float cosine = glm::dot(hit.normal, way) / length, there = std::abs(glm::dot(point.normal, way));
     if (!(cosine > 0 && there > 0) || occluded(hit, point.position, false)) return glm::vec3(0);
-    const float density = scene_.emitters.density(point.emission) * square * length / there;
+    const float other = density(point.emission) * square * length / there;
     const float ours = cosine * std::numbers::inv_pi_v<float>;
-    return point.emission * (ours / (ours + density));
+    return point.emission * (ours / (ours + other));
   }
 
   glm::vec3 path(Hit hit, std::uint32_t seed, std::uint32_t index) const {
@@ -161,9 +165,8 @@ class PlainTracer {
       const auto next = intersect(leave(hit.position, hit.offset, direction), direction);
       if (!next) return sum + throughput * scene_.sky;
       const glm::vec3& emission = next->material->emission;
-      const float density =
-          scene_.emitters.density(emission) * next->distance * next->distance / next->facing;
-      sum += throughput * (emission * (ours / (ours + density)) + lit(*next, 0));
+      const float other = density(emission) * next->distance * next->distance / next->facing;
+      sum += throughput * (emission * (ours / (ours + other)) + lit(*next, 0));
       throughput *= next->albedo * next->material->reflectance;
       hit = *next;
     }
