@@ -26,5 +26,8 @@ std::vector<std::string> pov_light_warnings(const Light& light);
 /// What stands for saturate(1 - d / radius)^2 in POV-Ray, at d = `part` radii: a sum of fades, some of them
 /// dark.
 double radius_attenuation_by_fades(double part);
+/// The largest difference between the two, where 1 is the light at its place: looked for from a
+/// ten-thousandth of the radius to ten thousand of them.
+double radius_attenuation_error();
 
 }  // namespace lightbench

@@ -6,10 +6,9 @@
 
 namespace lightbench {
 
-/// The object of a mesh: one mesh2 of its flat triangles (all vertex normals on the face normal) and one of
-/// its smooth ones. Asks `materials` for the textures that it needs. Nothing is written for a mesh without
-/// triangles.
-/// Positions are multiplied by `scale`.
+/// The object of a mesh: one mesh2, without normals if all of its triangles are flat. Asks `materials` for
+/// the textures that it needs. Nothing is written for a mesh without triangles. Positions are multiplied by
+/// `scale`. Numbers are written so that POV-Ray reads them soon: docs/povray.md says what that gains.
 PovWriter pov_mesh(const Mesh& mesh, float scale, PovMaterials& materials);
 
 }  // namespace lightbench

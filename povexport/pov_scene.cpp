@@ -92,6 +92,8 @@ std::vector<std::string> inexact_features(const Scene& scene) {
       warnings.push_back(
           "material '" + material.name +
           "': POV-Ray cannot scale the indirect light of a surface alone; its reflectance is left out");
+  if (scene.near || scene.far)
+    warnings.emplace_back("near and far: POV-Ray also draws what lies outside of them");
   return warnings;
 }
 

@@ -161,7 +161,7 @@ class SceneLoader {
     if (!(size.x > 0 && size.y > 0 && size.z > 0)) value.fail("a size must be larger than 0");
     Bounds bounds;
     for (int i = 0; i < placed.mesh_count; ++i)
-      for (const glm::vec3& p : scene_.meshes[std::size_t(placed.first_mesh + i)].positions)
+      for (const glm::vec3& p : scene_.meshes[std::size_t(placed.first_mesh) + std::size_t(i)].positions)
         bounds.add(transform_point(up, p));
     if (bounds.empty()) return glm::mat4(1);
     glm::vec3 scale(1);

@@ -55,7 +55,8 @@ glm::dmat4 read_matrix(const JsonValue& value) {
   const std::vector<double> rows = value.numbers(16);
   glm::dmat4 m;
   for (int row = 0; row < 4; ++row)
-    for (int column = 0; column < 4; ++column) m[column][row] = rows[std::size_t(4 * row + column)];
+    for (int column = 0; column < 4; ++column)
+      m[column][row] = rows[std::size_t(row) * 4 + std::size_t(column)];
   for (const double x : rows)
     if (std::abs(x) > kLargestCoordinate) value.fail(fmt::format("{} is too large", x));
   if (rows[12] != 0 || rows[13] != 0 || rows[14] != 0 || rows[15] != 1)

@@ -187,13 +187,28 @@ TEST(PovrayLights, WithoutShadowsNothingIsInTheWay) {
   EXPECT_NEAR(render(scene, facing_camera(), options).pixel(16, 16)[0], 1, kHalfError);
 }
 
+// In 8-bit sRGB, where darkness shows more of an error than in linear light. From near the light to where
+// nothing of it may be left.
 TEST(PovLights, TheSumOfFadesIsWithinHalfALevelOfTheRadiusAttenuation) {
-  Attenuation attenuation{Attenuation::Kind::radius, 1, 2, 1};
-  for (int i = 1; i <= 300; ++i) {
-    const float d = 0.01f * float(i);
-    const float fades = std::max(float(radius_attenuation_by_fades(d)), 0.0f);
-    EXPECT_NEAR(255 * srgb_encode(fades), 255 * srgb_encode(attenuation_factor(attenuation, d)), 0.51f) << d;
+  const Attenuation attenuation{Attenuation::Kind::radius, 1, 2, 1};
+  for (int i = -4000; i <= 4000; ++i) {
+    const float d = std::pow(10.0f, 0.001f * float(i));
+    const auto fades = float(radius_attenuation_by_fades(d));
+    ASSERT_NEAR(255 * srgb_encode(fades), 255 * srgb_encode(attenuation_factor(attenuation, d)), 0.51f) << d;
   }
+}
+
+TEST(PovLights, TheErrorOfTheSumOfFadesIsTheLargestAnywhere) {
+  const Attenuation attenuation{Attenuation::Kind::radius, 1, 2, 1};
+  const double error = radius_attenuation_error();
+  EXPECT_LT(error, 0.01);
+  double largest = 0;
+  for (int i = -40000; i <= 40000; ++i) {
+    const double d = std::pow(10.0, 0.0001 * double(i));
+    largest = std::max(largest, std::abs(radius_attenuation_by_fades(d) -
+                                         double(attenuation_factor(attenuation, float(d)))));
+  }
+  EXPECT_NEAR(error, largest, 1e-5);
 }
 
 TEST(PovrayLights, AttenuationByRadiusEnds) {

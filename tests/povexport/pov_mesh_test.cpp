@@ -56,6 +56,31 @@ TEST(PovMesh, EqualPositionsAreWrittenOnce) {
   EXPECT_THAT(mesh_text(scene), HasSubstr("vertex_vectors{4\n"));
 }
 
+TEST(PovMesh, OneSmoothTriangleGivesAllTheirNormals) {
+  Scene scene = scene_of(facing_square());
+  scene.meshes[0].normals[3] = {0, 1, 0};
+  EXPECT_THAT(mesh_text(scene), HasSubstr("normal_vectors{2\n<0,0,1>\n<0,1,0>\n}"));
+  EXPECT_THAT(mesh_text(scene), HasSubstr("normal_indices{2\n<0,0,0>\n<0,0,1>\n}"));
+}
+
+TEST(PovMesh, OneIndexStandsForAllVectorsWhereThatIsShorter) {
+  EXPECT_THAT(mesh_text(domed_scene()), Not(HasSubstr("normal_indices")));
+  Scene scene = domed_scene();
+  scene.textures = {{"a.png", Image8(1, 1, 4, 255)}};
+  scene.materials[0].diffuse_texture = 0;
+  scene.meshes[0].uvs[2] = scene.meshes[0].uvs[0];
+  EXPECT_THAT(mesh_text(scene), HasSubstr("uv_vectors{4\n<0,0>\n<1,0>\n<0,0>\n<0,1>\n}"));
+  EXPECT_THAT(mesh_text(scene), Not(HasSubstr("uv_indices")));
+}
+
+TEST(PovMesh, DigitsThatCannotBeSeenAreLeftOut) {
+  Scene scene = scene_of(facing_square());
+  scene.meshes[0].positions[0].x = -0.99999994f;
+  EXPECT_THAT(mesh_text(scene), HasSubstr("<-0.9999999,-1,0>"));
+  scene.meshes[0].normals[0] = {0.6f, 0.80000007f, 0};
+  EXPECT_THAT(mesh_text(scene), HasSubstr("<0.6,0.8,0>"));
+}
+
 TEST(PovMesh, AMeshWithoutTrianglesIsNothing) {
   Scene scene = scene_of(Mesh{});
   EXPECT_EQ(mesh_text(scene), "");

@@ -12,6 +12,7 @@
 namespace lightbench {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 std::string all_text(const Scene& scene) {
@@ -83,6 +84,20 @@ TEST(PovScene, AttenuationByRadiusIsWarnedAbout) {
   EXPECT_THAT(pov_assets(scene).warnings, testing::IsEmpty());
   scene.lights[0].attenuation.kind = Attenuation::Kind::radius;
   EXPECT_THAT(pov_assets(scene).warnings, testing::ElementsAre(HasSubstr("radius")));
+}
+
+TEST(PovScene, TheErrorOfAnAttenuationByRadiusIsTold) {
+  Scene scene = golden_scene();
+  scene.lights[0] = Light();
+  scene.lights[0].name = "torch";
+  scene.lights[0].attenuation.kind = Attenuation::Kind::radius;
+  EXPECT_THAT(pov_assets(scene).warnings, testing::ElementsAre(AllOf(HasSubstr("torch"), HasSubstr("0.4"))));
+}
+
+TEST(PovScene, NearAndFarAreWarnedAbout) {
+  Scene scene = golden_scene();
+  scene.far = 100.0f;
+  EXPECT_THAT(pov_assets(scene).warnings, testing::ElementsAre(HasSubstr("near and far")));
 }
 
 TEST(PovScene, AReflectanceIsWarnedAbout) {
