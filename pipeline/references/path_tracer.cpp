@@ -50,7 +50,7 @@ ReferenceKind path_tracer_reference() {
           .doc = "lightbench's own path tracer: a second truth, independent of POV-Ray",
           .params = params,
           .presets = presets,
-          .default_preset = "",
+          .default_preset = "two_bounces",
           .bounces = path_tracer_bounces,
           .tool_version = path_tracer_version,
           .run_scene = run_path_tracer};
