@@ -4,6 +4,10 @@
 
 #include <glm/vec3.hpp>
 
+// Without AVX, such vectors are passed to functions in another way than with it: all of this project is
+// compiled alike.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 #ifdef __AVX__
 #include <immintrin.h>
 #endif

@@ -99,7 +99,7 @@ void ShadowQueue::flush() {
   const int packets = (size_ + kLanes - 1) / kLanes;
   for (int i = 0; i < packets; ++i) {
     const Fields8 fields =
-        load_half<&Row::low>(&rows_[std::size_t(kLanes * i)], [](int lane) { return lane; });
+        load_half<&Row::low>(rows_.data() + std::ptrdiff_t{kLanes} * i, [](int lane) { return lane; });
     set_packet(packets_[std::size_t(i)], {vec_of(fields, 0), vec_of(fields, 3)}, fields.v[6]);
   }
   trace(packets);

@@ -87,8 +87,8 @@ void TileTracer::start(const RayTile& tile) {
   const int rays = tile.width * tile.height;
   covered_.assign(std::size_t(rays), 0);
   direct_.assign(std::size_t(rays), glm::vec3(0));
-  indirect_.assign(std::size_t(2 * rays), glm::vec3(0));
-  points_.resize(std::size_t(rays + kLanes));
+  indirect_.assign(2 * std::size_t(rays), glm::vec3(0));
+  points_.resize(std::size_t(rays) + kLanes);
   point_count_ = 0;
   hits_.resize(rays);
   for (int packet = 0; packet < hits_.packets(); ++packet) {
@@ -136,9 +136,10 @@ void TileTracer::add_samples(int first, int end) {
 
 /// Paths are numbered point by point, so that those of a wave start close together.
 void TileTracer::begin_wave(std::int64_t first_path, int count, int first_sample, int samples) {
-  int point = int(first_path / (2 * samples)), sample = int(first_path % (2 * samples));
+  const std::int64_t both_halves = std::int64_t{2} * samples;
+  int point = int(first_path / both_halves), sample = int(first_path % both_halves);
   for (int i = 0; i < count; ++i, ++sample) {
-    if (sample == 2 * samples) sample = 0, ++point;
+    if (sample == both_halves) sample = 0, ++point;
     const int half = sample < samples ? 0 : 1;
     Row& row = vertices_[std::size_t(i)] = points_[std::size_t(point)];
     UInt8 high = as_numbers(row.high);
@@ -185,7 +186,7 @@ void TileTracer::sample_emitters(const Vertices8& from, Int8 mask, int bounce) {
 
 void TileTracer::scatter(int count, int bounce) {
   for (int block = 0; kLanes * block < count; ++block) {
-    const Vertices8 from = Vertices8::load(&vertices_[std::size_t(kLanes * block)]);
+    const Vertices8 from = Vertices8::load(vertices_.data() + std::ptrdiff_t{kLanes} * block);
     if (!scene_.emitters.empty()) sample_emitters(from, first_lanes(count - kLanes * block), bounce);
     const SobolPair<UInt8> point = draw(from.index, from.seed, bounce, Draw::direction);
     const CosineDirection8 direction =
@@ -199,7 +200,8 @@ void TileTracer::scatter(int count, int bounce) {
     rest.v[kIndexField] = as_floats(from.index);
     rest.v[kSlotField] = as_floats(from.slot);
     const Int8 keys = direction_keys(direction.unit);
-    for (int i = 0; i < kLanes; ++i) keys_[std::size_t(kLanes * block + i)] = std::uint16_t(keys[i]);
+    for (int i = 0; i < kLanes; ++i)
+      keys_[std::size_t(kLanes) * std::size_t(block) + std::size_t(i)] = std::uint16_t(keys[i]);
     int first = kLanes * block;
     append(flights_, first, ray, rest, first_lanes(kLanes));
   }

@@ -38,7 +38,9 @@ class TileTracer {
   /// Emission and direct light; 0 where nothing is hit.
   const glm::vec3& direct(int ray) const { return direct_[std::size_t(ray)]; }
   /// Sum over a half's samples of the reflected indirect light.
-  const glm::vec3& indirect(int ray, int half) const { return indirect_[std::size_t(2 * ray + half)]; }
+  const glm::vec3& indirect(int ray, int half) const {
+    return indirect_[2 * std::size_t(ray) + std::size_t(half)];
+  }
 
   RayTallies tallies() const;
 
