@@ -17,7 +17,6 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 // The scene of one square with more keys beside "entities", and more keys in the entity.
 LoadedScene load(const SceneTestFiles& files, const std::string& keys, const std::string& entity_keys = "") {
