@@ -81,7 +81,7 @@ int run_cli(int argc, const char* const* argv) {
   ExitCode code = ExitCode::bug;
   try {
     code = run_command(argc, argv);
-    if (std::fflush(stdout) != 0) throw Error("the output cannot be written");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw Error("the output cannot be written");
   } catch (const Error& error) {
     std::fprintf(stderr, "lightbench: error: %s\n", error.what());
     code = ExitCode::bad_input;
