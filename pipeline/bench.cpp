@@ -71,7 +71,10 @@ BenchTime summarize(const std::string& pass, std::vector<double> seconds) {
   return {pass, quantile(seconds, 0.5), quantile(seconds, 0.25), quantile(seconds, 0.75)};
 }
 
-std::vector<BenchRow> bench_job(const Job& job, const std::string& gl, int rounds) {
+std::vector<BenchRow> bench_job(const Job& concrete, const std::string& gl, int rounds) {
+  Job job = concrete;
+  std::erase_if(job.variants,
+                [](const JobVariant& variant) { return find_technique(variant.technique, "").offline; });
   std::vector<BenchRow> rows;
   for (const auto& job_scene : job.scenes) {
     Scene scene = load_scene(job_scene.file);

@@ -27,7 +27,7 @@ BenchTime summarize(const std::string& pass, std::vector<double> seconds);
 
 /// Times every view with every variant in this process, which should be alone on the machine: per view two
 /// frames of each variant to warm up, then `rounds` rounds in which the variants take turns. Nothing comes
-/// from a cache.
+/// from a cache. Variants that trace paths are left out: they are not meant for real time.
 std::vector<BenchRow> bench_job(const Job& concrete, const std::string& gl, int rounds);
 
 std::string bench_table(const std::vector<BenchRow>& rows);

@@ -64,7 +64,8 @@ void add_bench_command(CLI::App& app, Action& action) {
                       "JSON file to write; default: out/<job name>/bench.json");
   command->footer(
       R"(Times that an ordinary run meets are marked contended, since other tasks run beside. Here variants take
-turns, alone on the machine, after two frames each to warm up; nothing comes from a cache.
+turns, alone on the machine, after two frames each to warm up; nothing comes from a cache. Path-traced variants are
+left out.
 
 Example:
   lightbench bench jobs/cornell.json --rounds 20)");

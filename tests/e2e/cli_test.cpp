@@ -122,6 +122,12 @@ TEST_F(Cli, CompareRefusesWhatIsNoNumber) {
   EXPECT_THAT(result.err, HasSubstr("a.exr"));
 }
 
+TEST_F(Cli, ThePathTracerHasNothingToExport) {
+  const auto result = run({"export", "scene.json", "--cameras", "cameras.json", "--kind", "path_tracer"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("nothing to export"));
+}
+
 TEST_F(Cli, ExportWritesEveryViewOnceAndWhatTheyShare) {
   EXPECT_EQ(run({"export", "scene.json", "--cameras", "cameras.json", "-o", "pov"}).exit_code, 0);
   EXPECT_TRUE(files("pov").contains("pov/front.pov"));
