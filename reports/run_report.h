@@ -88,6 +88,7 @@ enum class GateState {
   not_met,
   within_noise,  ///< met, but by less than the reference is exact: shown as a warning
 };
+inline constexpr const char* kGateStateNames[] = {"met", "not met", "within noise"};
 
 struct ReportGate {
   std::string text;  ///< as the job wrote it

@@ -121,7 +121,6 @@ void visit(Archive& archive, T& report) requires std::is_same_v<std::remove_cons
 }
 
 constexpr const char* kOutcomeNames[] = {"ok", "failed", "skipped"};
-constexpr const char* kGateStateNames[] = {"met", "not met", "within noise"};
 
 template <typename T>
 bool is_empty(const T& value) {
@@ -199,7 +198,7 @@ class Reader {
   static void read(const JsonValue& json, T& value) {
     if constexpr (std::is_same_v<T, bool>) {
       value = json.boolean();
-    } else if constexpr (std::is_same_v<T, double>) {
+    } else if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>) {
       value = json.number();
     } else if constexpr (std::is_integral_v<T>) {
       value = static_cast<T>(json.integer(0, std::numeric_limits<int>::max()));
@@ -209,8 +208,6 @@ class Reader {
       read_enum(json, kOutcomeNames, value);
     } else if constexpr (std::is_same_v<T, GateState>) {
       read_enum(json, kGateStateNames, value);
-    } else if constexpr (std::is_same_v<T, std::optional<double>>) {
-      value = json.number();
     } else if constexpr (std::is_same_v<T, MetricValue>) {
       read_metric_value(json, value);
     } else {

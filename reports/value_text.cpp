@@ -59,15 +59,7 @@ RunCounts count_outcomes(const RunReport& report) {
 }
 
 std::string gate_state_text(GateState state) {
-  switch (state) {
-    case GateState::met:
-      return "met";
-    case GateState::not_met:
-      return "not met";
-    case GateState::within_noise:
-      return "within noise";
-  }
-  return "";
+  return kGateStateNames[static_cast<std::size_t>(state)];
 }
 
 std::string verdict_text(const RunCounts& counts) {

@@ -24,7 +24,7 @@ struct Sample {
 struct Judgement {
   bool passed = false;
   std::string detail;
-  std::string noise = "";  ///< why it is met by too little to be sure
+  std::string noise{};  ///< why it is met by too little to be sure
 };
 
 bool matches(const std::string& name, const std::string& pattern) {

@@ -92,7 +92,10 @@ class PlainTracer {
     const glm::vec3 origin = leave(hit.position, hit.offset, way);
     RTCRay ray;
     std::memset(&ray, 0, sizeof ray);
-    set(ray, origin, directional ? to : to - origin, directional ? kInfinity : kEnd);
+    if (directional)
+      set(ray, origin, to, kInfinity);
+    else
+      set(ray, origin, to - origin, kEnd);
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcOccluded1(scene_.embree.top(), &context, &ray);

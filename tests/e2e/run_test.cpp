@@ -426,6 +426,17 @@ TEST_F(PovrayRun, DirectLightAgreesWithPovray) {
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
 }
 
+TEST_F(PovrayRun, ASecondRenderingTellsHowExactTheFirstOneIs) {
+  write("job.json", R"({"size": [32, 24],
+      "scenes": [{"scene": "scene.json", "cameras": "cameras.json", "views": ["front"]}],
+      "variants": [{"name": "direct", "technique": "direct"}],
+      "references": [{"name": "truth", "kind": "povray", "params": {"estimate_noise": true, "count": 20}}]})");
+  const auto result = run({"run", "job.json", "--out", "out"});
+  ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_THAT(result.out, ::testing::HasSubstr("noise of truth: "));
+  EXPECT_TRUE(std::filesystem::exists(path("out/views/scene/front/truth~~second.pov")));
+}
+
 TEST_F(PovrayRun, AReferenceCanBeRenderedAlone) {
   const auto result = run({"reference", "scene.json", "--cameras", "cameras.json", "--size", "32x24",
                            "--preset", "direct", "-o", "truth.exr"});

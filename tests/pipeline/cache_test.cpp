@@ -10,7 +10,6 @@
 namespace lightbench {
 namespace {
 
-using ::testing::HasSubstr;
 
 class CacheOfAFolder : public ::testing::Test {
  protected:

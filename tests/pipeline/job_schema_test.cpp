@@ -42,7 +42,7 @@ TEST(JobSchema, TheCommittedFileIsWhatTheTablesGive) {
 TEST(JobSchema, EveryJobOfTheProjectIsValid) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kJobs)) {
-    const auto file = entry.path();
+    const auto& file = entry.path();
     if (file.extension() != ".json" || file.string().ends_with(".schema.json")) continue;
     EXPECT_EQ(why_invalid(read_file(file)), "") << file;
     ++count;

@@ -17,7 +17,6 @@ using test::kJobText;
 using test::plan_of;
 using test::replaced;
 using test::task_called;
-using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;

@@ -8,7 +8,6 @@ namespace lightbench {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 Task task(const std::string& id, std::vector<std::size_t> deps = {}, const std::string& group = "") {

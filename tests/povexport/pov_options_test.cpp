@@ -35,5 +35,27 @@ TEST(PovOptions, BouncesAreTheRecursionLimitOrNone) {
   EXPECT_EQ(pov_bounces(preset("direct")), 0);
 }
 
+TEST(SecondOpinion, IsFinerInEverythingThatIsSampled) {
+  const PovOptions options;
+  const PovOptions finer = second_opinion(options);
+  EXPECT_EQ(finer.count, 2 * options.count);
+  EXPECT_EQ(finer.error_bound, options.error_bound / 2);
+  EXPECT_LT(finer.pretrace_end, options.pretrace_end);
+  EXPECT_EQ(finer.recursion_limit, options.recursion_limit);
+  EXPECT_EQ(finer.brightness, options.brightness);
+}
+
+TEST(SecondOpinion, StaysWithinWhatPovrayTakes) {
+  PovOptions options;
+  options.count = 1500;
+  EXPECT_EQ(second_opinion(options).count, 1600);
+}
+
+TEST(SecondOpinion, IsNotAskedForWhereNothingIsSampled) {
+  const ParamValues values =
+      resolve_params(pov_params(), pov_presets(), "direct", {{"estimate_noise", true}}, "");
+  EXPECT_FALSE(pov_options(values).estimate_noise);
+}
+
 }  // namespace
 }  // namespace lightbench

@@ -173,9 +173,10 @@ class GlGBufferOptions : public testing::Test {
 
 TEST_F(GlGBufferOptions, CullingChangesNothing) {
   Scene scene = floor_scene();
-  for (int i = 0; i < 40; ++i)
-    add_quad(scene, {float(i % 8) * 2 - 8, 0.1f * float(i), float(i / 8) * 3 - 7}, {1.5f, 0.3f, 0},
-             {0, 0.2f, -1.5f});
+  for (int row = 0; row < 5; ++row)
+    for (int column = 0; column < 8; ++column)
+      add_quad(scene, {float(column) * 2 - 8, 0.1f * float(8 * row + column), float(row) * 3 - 7},
+               {1.5f, 0.3f, 0}, {0, 0.2f, -1.5f});
   View view = top_view(6);
   view.camera.look_at = {3, 0, -4};
   const GBuffer culled = draw(scene, view, {});

@@ -25,7 +25,7 @@ Mesh square() {
   return mesh;
 }
 
-Scene scene_of(std::vector<glm::mat4> transforms, Mesh mesh = square()) {
+Scene scene_of(const std::vector<glm::mat4>& transforms, Mesh mesh = square()) {
   Scene scene;
   scene.name = "test";
   scene.materials.emplace_back();
