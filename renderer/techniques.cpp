@@ -15,11 +15,7 @@ namespace lightbench {
 
 std::span<const Technique> techniques() {
   static const std::array table{
-      direct_technique(),
-      isr_technique(),
-      ambient_technique(),
-      path_tracer_technique(),
-      images_technique(),
+      direct_technique(), isr_technique(), ambient_technique(), path_tracer_technique(), images_technique(),
   };
   return table;
 }

@@ -10,7 +10,6 @@
 namespace lightbench {
 namespace {
 
-
 class CacheOfAFolder : public ::testing::Test {
  protected:
   CacheOfAFolder() {

@@ -129,8 +129,10 @@ TEST(JunitReport, HasNoByteThatXmlForbids) {
 
 TEST(JunitReport, CountsFailuresAndErrors) {
   const std::string text = written("junit");
-  EXPECT_THAT(text,
-              HasSubstr("<testsuites name=\"rooms &amp; more\" tests=\"16\" failures=\"1\" errors=\"2\" skipped=\"1\""));
+  EXPECT_THAT(
+      text,
+      HasSubstr(
+          "<testsuites name=\"rooms &amp; more\" tests=\"16\" failures=\"1\" errors=\"2\" skipped=\"1\""));
 }
 
 TEST(MarkdownReport, HostileTextCannotMakeCellsOrMarkup) {
