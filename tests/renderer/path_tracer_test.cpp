@@ -309,7 +309,8 @@ TEST(PathTracer, VertexColoursMultiply) {
   Scene scene = floor_scene();
   scene.meshes[0].colors.assign(4, {0.5f, 1, 0.25f});
   scene.lights = {directional_light({0, -1, 0})};
-  const auto pixel = traced(scene, top_view(3), with_bounces(0)).pixel(4, 4);
+  const Image image = traced(scene, top_view(3), with_bounces(0));
+  const auto pixel = image.pixel(4, 4);
   EXPECT_FLOAT_EQ(pixel[0], 0.25f);
   EXPECT_FLOAT_EQ(pixel[1], 0.5f);
   EXPECT_FLOAT_EQ(pixel[2], 0.125f);
@@ -386,7 +387,8 @@ TEST(PathTracer, ABackgroundThatDoesNotLightIsStillSeen) {
   scene.background = {{0.3f, 0.4f, 0.5f}, false};
   View view = top_view(3);
   view.camera.look_at = {0, 9, -1};
-  const auto pixel = traced(scene, view, with_bounces(2)).pixel(3, 3);
+  const Image image = traced(scene, view, with_bounces(2));
+  const auto pixel = image.pixel(3, 3);
   EXPECT_FLOAT_EQ(pixel[0], 0.3f);
   EXPECT_EQ(pixel[3], 0);
 }
