@@ -8,6 +8,14 @@
 #include "base/text.h"
 
 namespace lightbench {
+namespace {
+
+const LedgerEntry* entry_of(const Task& task, const std::map<std::string, LedgerEntry>& entries) {
+  const auto found = entries.find(task.id);
+  return found == entries.end() ? nullptr : &found->second;
+}
+
+}  // namespace
 
 std::string changed_parts(const KeyParts& before, const KeyParts& now) {
   const std::map<std::string, std::string> old_parts(before.begin(), before.end());
@@ -23,11 +31,6 @@ std::string changed_parts(const KeyParts& before, const KeyParts& now) {
   for (const auto& [name, value] : before)
     if (!new_parts.contains(name)) names.push_back(name + " (gone)");
   return names.empty() ? "the order of its parts" : join(names, ", ");
-}
-
-const LedgerEntry* FolderCache::last_entry(const Task& task) const {
-  const auto found = ledger_.last().find(task.id);
-  return found == ledger_.last().end() ? nullptr : &found->second;
 }
 
 std::string FolderCache::damage(const Task& task, const LedgerEntry& entry) const {
@@ -46,14 +49,14 @@ std::string FolderCache::damage(const Task& task, const LedgerEntry& entry) cons
 }
 
 std::optional<LedgerEntry> FolderCache::find(const Task& task) {
-  const LedgerEntry* entry = last_entry(task);
-  if (!entry || entry->outcome != Outcome::ok || entry->key != task.key) return std::nullopt;
+  const LedgerEntry* entry = entry_of(task, ledger_.last_done());
+  if (!entry || entry->key != task.key) return std::nullopt;
   if (!damage(task, *entry).empty()) return std::nullopt;
   return *entry;
 }
 
 std::string FolderCache::why_missing(const Task& task) {
-  const LedgerEntry* entry = last_entry(task);
+  const LedgerEntry* entry = entry_of(task, ledger_.last());
   if (!entry) return "never done";
   if (entry->outcome != Outcome::ok) return "failed the last time";
   if (entry->key != task.key) return "changed: " + changed_parts(entry->key_parts, task.key_parts);
@@ -61,8 +64,8 @@ std::string FolderCache::why_missing(const Task& task) {
 }
 
 std::optional<double> FolderCache::last_seconds(const Task& task) {
-  const LedgerEntry* entry = last_entry(task);
-  if (!entry || entry->outcome != Outcome::ok) return std::nullopt;
+  const LedgerEntry* entry = entry_of(task, ledger_.last_done());
+  if (!entry) return std::nullopt;
   return entry->result.seconds;
 }
 

@@ -34,7 +34,6 @@ class FolderCache : public Cache {
   void record(const LedgerEntry& entry) override;
 
  private:
-  const LedgerEntry* last_entry(const Task& task) const;
   std::string damage(const Task& task, const LedgerEntry& entry) const;
 
   Ledger& ledger_;

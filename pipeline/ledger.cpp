@@ -92,8 +92,7 @@ std::size_t Ledger::read() {
     if (end == std::string::npos) return start;
     const std::string where = fmt::format("{}:{}", file_.string(), number);
     try {
-      LedgerEntry entry = entry_of(Json::parse(text.substr(start, end - start)), where);
-      last_[entry.id] = std::move(entry);
+      remember(entry_of(Json::parse(text.substr(start, end - start)), where));
     } catch (const nlohmann::json::exception&) {
       throw Error("is not a line of a ledger; remove the file to begin anew", where);
     }
@@ -112,7 +111,12 @@ void Ledger::append(const LedgerEntry& entry) {
     written += std::size_t(count);
   }
   if (fsync(descriptor_) != 0) fail(file_, "cannot be synced");
+  remember(entry);
+}
+
+void Ledger::remember(const LedgerEntry& entry) {
   last_[entry.id] = entry;
+  if (entry.outcome == Outcome::ok) last_done_[entry.id] = entry;
 }
 
 }  // namespace lightbench

@@ -40,13 +40,17 @@ class Ledger {
   void append(const LedgerEntry& entry);
   /// The last entry of each task, by id.
   const std::map<std::string, LedgerEntry>& last() const { return last_; }
+  /// The last entry of each task that was done: a failure since then does not hide it.
+  const std::map<std::string, LedgerEntry>& last_done() const { return last_done_; }
 
  private:
   std::size_t read();
+  void remember(const LedgerEntry& entry);
 
   std::filesystem::path file_;
   int descriptor_ = -1;
   std::map<std::string, LedgerEntry> last_;
+  std::map<std::string, LedgerEntry> last_done_;
 };
 
 /// Now, as ISO 8601 in UTC.

@@ -65,11 +65,24 @@ TEST_F(CacheOfAFolder, AnOutputThatWasNotAskedForBeforeIsMissing) {
 TEST_F(CacheOfAFolder, AFailureIsTriedAgain) {
   LedgerEntry failed;
   failed.id = task_.id;
-  failed.key = task_.key;
+  failed.key = "another";
   failed.outcome = Outcome::failed;
   cache_.record(failed);
+  task_.key = failed.key;
   EXPECT_FALSE(cache_.find(task_).has_value());
   EXPECT_EQ(cache_.why_missing(task_), "failed the last time");
+}
+
+TEST_F(CacheOfAFolder, AFailureDoesNotHideWhatWasDoneBefore) {
+  LedgerEntry failed;
+  failed.id = task_.id;
+  failed.key = "a scene that could not be read";
+  failed.outcome = Outcome::failed;
+  cache_.record(failed);
+  EXPECT_TRUE(cache_.find(task_).has_value());
+  EXPECT_EQ(cache_.last_seconds(task_), 3.0);
+  std::filesystem::remove(out_.path() / "picture.png");
+  EXPECT_FALSE(cache_.find(task_).has_value());
 }
 
 TEST_F(CacheOfAFolder, TheLastTimeIsRememberedWhateverTheKey) {
