@@ -46,6 +46,10 @@ double seconds_of(const timeval& time) {
   return double(time.tv_sec) + 1e-6 * double(time.tv_usec);
 }
 
+double cpu_seconds_of(const rusage& usage) {
+  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+
 /// Our own variables, "NAME=value", with some added or replaced. Not bp::environment: 1.74 reads past the end
 /// of variables that are shorter than the one it looks for.
 std::vector<std::string> environment_with(const std::map<std::string, std::string>& added) {
@@ -229,7 +233,7 @@ void ProcessLoop::Impl::reap() {
     result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     result.seconds = std::chrono::duration<double>(Clock::now() - current->started).count();
-    result.cpu_seconds = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+    result.cpu_seconds = cpu_seconds_of(usage);
     ::killpg(current->group.native_handle(), SIGKILL);
     current->child.detach();
     current->ended = true;
@@ -338,6 +342,16 @@ ProcessResult run_process(const ProcessOptions& options) {
   // The signal was meant for us; the child went first. The loop is gone, and its handlers with it.
   if (interrupted) ::raise(SIGTERM);
   return result;
+}
+
+double own_cpu_seconds() {
+  double seconds = 0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    ::getrusage(who, &usage);
+    seconds += cpu_seconds_of(usage);
+  }
+  return seconds;
 }
 
 std::filesystem::path find_program(const std::string& name) {

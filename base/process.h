@@ -69,6 +69,9 @@ class ProcessLoop {
 /// One child, waited for. Throws Error when it cannot be started.
 ProcessResult run_process(const ProcessOptions& options);
 
+/// User and system time that this process has used, with its threads and the children it has waited for.
+double own_cpu_seconds();
+
 /// The program's file as the PATH gives it, or an empty path.
 std::filesystem::path find_program(const std::string& name);
 

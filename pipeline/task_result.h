@@ -14,7 +14,7 @@ namespace lightbench {
 /// What a task that was done has to tell.
 struct TaskResult {
   double seconds = 0;                          ///< wall clock
-  double cpu_seconds = 0;                      ///< of a reference: of all that rendered it
+  double cpu_seconds = 0;                      ///< of an image: of all that rendered it
   std::map<std::string, std::string> outputs;  ///< file relative to the run's folder -> hash of its bytes
   std::vector<PassSeconds> passes;             ///< of a snapshot
   std::vector<std::string> warnings;

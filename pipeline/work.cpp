@@ -11,6 +11,7 @@
 #include "base/files.h"
 #include "base/hash.h"
 #include "base/image_io.h"
+#include "base/process.h"
 #include "pipeline/concrete.h"
 #include "pipeline/plan_file.h"
 #include "pipeline/score.h"
@@ -101,10 +102,12 @@ TaskResult TaskWorker::Impl::snapshot(const Task& task) {
   const auto buffers = variant_buffers(job(), variant);
   request.buffers.insert(buffers.begin(), buffers.end());
   const auto start = std::chrono::steady_clock::now();
+  const double cpu_start = own_cpu_seconds();
   FrameResult frame =
       renderer->render(find_technique(variant.technique, ""), variant_params(variant), request);
   TaskResult result;
   result.seconds = seconds_since(start);
+  result.cpu_seconds = own_cpu_seconds() - cpu_start;
   for (const auto& pass : frame.passes) result.passes.push_back({pass.name, pass.seconds});
   result.warnings = frame.warnings;
   const std::string stem = image_stem(job(), task.scene, task.view, variant.name);

@@ -58,7 +58,7 @@ struct ReportImage {
   std::string pov;  ///< of a POV-Ray reference
   std::string key;  ///< hash of all that decides the image
   double seconds = 0;
-  double cpu_seconds = 0;                   ///< of a reference; 0: not known
+  double cpu_seconds = 0;                   ///< of all that rendered it; 0: not known
   std::optional<double> noise;              ///< of a reference: estimated mean error, of 255
   std::optional<double> mean_luminance;     ///< of a reference: of its object pixels, linear
   std::map<std::string, double> ray_rates;  ///< rays a second by class of ray, of a path-traced reference

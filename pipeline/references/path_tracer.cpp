@@ -1,19 +1,12 @@
 #include "pipeline/references/path_tracer.h"
 
 #include <chrono>
-#include <ctime>
 
+#include "base/process.h"
 #include "renderer/path_tracer.h"
 
 namespace lightbench {
 namespace {
-
-/// Processor time of this process with all its threads.
-double cpu_seconds_now() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
 
 std::map<std::string, double> rates_of(const std::vector<RayRate>& rays) {
   std::map<std::string, double> rates;
@@ -25,13 +18,13 @@ std::map<std::string, double> rates_of(const std::vector<RayRate>& rays) {
 ReferenceImage run_path_tracer(const ReferenceRequest& request, const Scene& scene) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const double cpu_start = cpu_seconds_now();
+  const double cpu_start = own_cpu_seconds();
   PathTracedImage made = trace_paths(scene, request.view, request.width, request.height, request.samples,
                                      path_tracer_options(request.params));
   ReferenceImage result;
   result.image = std::move(made.image);
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  result.cpu_seconds = cpu_seconds_now() - cpu_start;
+  result.cpu_seconds = own_cpu_seconds() - cpu_start;
   result.noise = made.noise;
   result.ray_rates = rates_of(made.rays);
   return result;

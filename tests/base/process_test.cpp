@@ -84,6 +84,12 @@ TEST(Process, CpuTimeIsThatOfTheChild) {
   EXPECT_GT(busy.cpu_seconds, idle.cpu_seconds);
 }
 
+TEST(Process, OwnCpuTimeHoldsThatOfChildren) {
+  const double before = own_cpu_seconds();
+  const auto busy = run_process(shell("i=0; while [ $i -lt 100000 ]; do i=$((i+1)); done"));
+  EXPECT_GE(own_cpu_seconds() - before, busy.cpu_seconds);
+}
+
 TEST(ProcessLoop, HandsOverLinesAndStartsFurtherChildren) {
   ProcessLoop loop;
   std::vector<std::string> lines;
