@@ -97,7 +97,7 @@ ExitCode run_job(const Job& job, const RunOptions& options) {
   write_file_atomic(plan_file, plan_to_json(run.plan));
 
   FolderCache cache(ledger, out);
-  LocalRunner runner(executable_path(), plan_file);
+  LocalRunner runner(executable_path(), plan_file, out / "tmp");
   Progress progress(stdout, Progress::style_of(stdout), execute_options.places);
   const auto outcomes = execute(run.plan, cache, runner, progress, execute_options);
 

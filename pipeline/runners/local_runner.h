@@ -10,8 +10,12 @@ namespace lightbench {
 /// Workers as child processes of this one: `lightbench work PLAN TASK...`, one thread each.
 class LocalRunner : public Runner {
  public:
-  LocalRunner(std::filesystem::path program, std::filesystem::path plan_file)
-      : program_(std::move(program)), plan_file_(std::move(plan_file)) {}
+  /// `scratch` is where workers keep temporary files. What a killed run left in it is removed now, and all of
+  /// it at the end. Throws Error when it cannot be made.
+  LocalRunner(std::filesystem::path program, std::filesystem::path plan_file, std::filesystem::path scratch);
+  LocalRunner(const LocalRunner&) = delete;
+  LocalRunner& operator=(const LocalRunner&) = delete;
+  ~LocalRunner() override;
 
   void start(const std::vector<const Task*>& tasks, LineHandler on_line, EndHandler on_end) override;
   void every(std::chrono::milliseconds interval, std::function<void()> tick) override;
@@ -21,6 +25,7 @@ class LocalRunner : public Runner {
  private:
   std::filesystem::path program_;
   std::filesystem::path plan_file_;
+  std::filesystem::path scratch_;
   ProcessLoop loop_;
 };
 

@@ -154,6 +154,7 @@ TEST_F(GlRun, AnInterruptedRunGoesOnLater) {
   const auto first = run_job({"--jobs", "1"});
   EXPECT_EQ(first.exit_code, 2) << first.out << first.err;
   EXPECT_THAT(first.out, HasSubstr("interrupted"));
+  EXPECT_FALSE(std::filesystem::exists(path("out/tmp")));
   const std::size_t done = lines_of_ledger();
   EXPECT_GT(done, 0u);
   fake_povray(copy_picture());
@@ -171,6 +172,7 @@ TEST_F(GlRun, AKilledRunGoesOnLater) {
   const auto second = run_job();
   EXPECT_EQ(second.exit_code, 0) << second.out << second.err;
   EXPECT_THAT(second.out, HasSubstr(std::to_string(done) + " there already"));
+  EXPECT_FALSE(std::filesystem::exists(path("out/tmp")));
 }
 
 TEST_F(GlRun, WithoutPovrayNothingIsBegun) {
