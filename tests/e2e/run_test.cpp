@@ -337,7 +337,8 @@ TEST_F(GlPathTracedRun, TellsHowExactItsReferencesAre) {
   const auto result = run_job();
   ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
   EXPECT_THAT(result.out, HasSubstr("two (2 bounces) has "));
-  for (const Json& image : report().at("images")) {
+  const Json made = report();
+  for (const Json& image : made.at("images")) {
     if (!image.at("is_reference").get<bool>()) continue;
     EXPECT_GT(image.at("noise").get<double>(), 0) << image;
     EXPECT_GT(image.at("mean_luminance").get<double>(), 0);
