@@ -1,5 +1,6 @@
 #include "renderer/direct_light.h"
 
+#include <cassert>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -49,6 +50,8 @@ GlTexture copy_of(const GlTexture& source) {
 
 Framebuffer target_of(const DirectLight& light, const DirectLightOutputs& outputs, const GBuffer& gbuffer) {
   const GlTexture* depth = &gbuffer.depth_stencil;
+  if (outputs.back_irradiance)
+    return Framebuffer({&light.lit, &light.irradiance, &light.back_irradiance}, depth);
   if (outputs.irradiance && outputs.visibility)
     return Framebuffer({&light.lit, &light.irradiance, &light.visibility}, depth);
   if (outputs.irradiance) return Framebuffer({&light.lit, &light.irradiance}, depth);
@@ -62,6 +65,7 @@ const Program& light_program(FrameContext& frame, const GBuffer& gbuffer, const 
   defines.emplace_back(row(mode).define);
   for (const std::string& define : projection_defines(shadow_projection(light))) defines.push_back(define);
   if (outputs.irradiance) defines.emplace_back("WITH_IRRADIANCE");
+  if (outputs.back_irradiance) defines.emplace_back("WITH_BACK");
   if (outputs.visibility) {
     defines.emplace_back("WITH_VISIBILITY");
     defines.emplace_back(fmt::format("VISIBILITY_LOCATION {}", outputs.irradiance ? 2 : 1));
@@ -186,9 +190,11 @@ ShadowOptions shadow_options(const ParamValues& params) {
 
 DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const ShadowOptions& shadows,
                               const DirectLightOutputs& outputs) {
+  assert(!outputs.back_irradiance || (outputs.irradiance && !outputs.visibility));
   DirectLight result;
   result.lit = copy_of(gbuffer.emission);
   if (outputs.irradiance) result.irradiance = cleared(TexelFormat::rgba32f, gbuffer, 0);
+  if (outputs.back_irradiance) result.back_irradiance = cleared(TexelFormat::rgba32f, gbuffer, 0);
   if (outputs.visibility) result.visibility = cleared(TexelFormat::r32f, gbuffer, 1);
   const Framebuffer target = target_of(result, outputs, gbuffer);
   const std::vector<Light>& lights = frame.scene().lights;

@@ -39,6 +39,7 @@ ShadowOptions shadow_options(const ParamValues& params);
 /// Which textures besides `lit` are wanted.
 struct DirectLightOutputs {
   bool irradiance = false;
+  bool back_irradiance = false;  ///< with irradiance only, and without visibility
   bool visibility = false;
 };
 
@@ -49,6 +50,8 @@ struct DirectLight {
   /// RGBA32F, if asked for: the sum over lights of colour * power * attenuation * visibility * max(n.l, 0),
   /// which times the albedo is the diffuse light. 0 on the background.
   GlTexture irradiance;
+  /// RGBA32F, if asked for: the same of the surface's other side, which has the opposite normal.
+  GlTexture back_irradiance;
   /// R32F, if asked for: mean over lights of the visible share, 0 for those behind the surface; 1 on the
   /// background.
   GlTexture visibility;

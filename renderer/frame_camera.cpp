@@ -64,6 +64,15 @@ FrameCamera widened(const FrameCamera& camera, float factor) {
   return result;
 }
 
+FrameCamera turned(const FrameCamera& camera, const CameraFrame& frame, float tan_half) {
+  FrameCamera result = camera;
+  result.frame = frame;
+  result.tan_half_x = tan_half;
+  result.tan_half_y = tan_half;
+  derive(result);
+  return result;
+}
+
 bool may_be_visible(const Bounds& box, const glm::dmat4& clip_from_box) {
   // One bit for each side of the clip volume that a corner lies beyond.
   unsigned beyond_all = 0x3f;

@@ -33,6 +33,10 @@ FrameCamera frame_camera(const Camera& camera, float aspect, const DepthRange& r
 /// The same camera seeing `factor` times as far to each side: for images with a guard band.
 FrameCamera widened(const FrameCamera& camera, float factor);
 
+/// A camera at the same place that looks along other axes, with the same field of view, of that tangent of
+/// its half, to both sides.
+FrameCamera turned(const FrameCamera& camera, const CameraFrame& frame, float tan_half);
+
 /// Whether a box may be in sight of a clip space of reversed z (w >= 0 in front): false only when it
 /// certainly is not.
 bool may_be_visible(const Bounds& box, const glm::dmat4& clip_from_box);

@@ -22,6 +22,8 @@ struct FrameBlock {
 };
 static_assert(sizeof(FrameBlock) == 7 * 16 + 64);
 
+}  // namespace
+
 Buffer camera_block(const FrameCamera& camera, int width, int height) {
   const glm::vec2 size(width, height);
   const FrameBlock block{
@@ -54,13 +56,22 @@ GBuffer make_gbuffer(const FrameCamera& camera, int width, int height, NormalFor
   return g;
 }
 
+Framebuffer surface_target(const GBuffer& g) {
+  return Framebuffer({&g.albedo, &g.normal, &g.depth, &g.specular, &g.geometric_normal, &g.emission},
+                     &g.depth_stencil);
+}
+
+namespace {
+
 void clear(const Framebuffer& target, const glm::vec3& background) {
   for (int attachment = 0; attachment < 5; ++attachment) target.clear_color(attachment, 0, 0, 0, 0);
   target.clear_color(5, background.r, background.g, background.b, 0);
   target.clear_depth_stencil(0, 0);
 }
 
-// Nearer (greater in reversed depth) surfaces win and mark their pixels in the stencil.
+}  // namespace
+
+// Nearer is greater in reversed depth.
 void set_surface_state() {
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
@@ -74,25 +85,25 @@ void set_surface_state() {
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
 }
 
-}  // namespace
-
 void GBuffer::bind() const {
   unsigned unit = 0;
   for (const GlTexture* texture : {&albedo, &normal, &depth, &specular, &geometric_normal, &emission})
     texture->bind(unit++);
   camera_block.bind_uniform(0);
+  if (tile_block.id() != 0) tile_block.bind_uniform(2);
 }
 
 std::vector<std::string> gbuffer_defines(const GBuffer& gbuffer) {
-  if (gbuffer.normal_format == NormalFormat::rgb8) return {"NORMALS_RGB8"};
-  return {};
+  std::vector<std::string> defines;
+  if (gbuffer.normal_format == NormalFormat::rgb8) defines.emplace_back("NORMALS_RGB8");
+  if (gbuffer.tile_block.id() != 0) defines.emplace_back("TILED");
+  return defines;
 }
 
 GBuffer draw_gbuffer(FrameContext& frame, const FrameCamera& camera, int width, int height,
                      const GBufferOptions& options) {
   GBuffer g = make_gbuffer(camera, width, height, options.normals);
-  const Framebuffer target({&g.albedo, &g.normal, &g.depth, &g.specular, &g.geometric_normal, &g.emission},
-                           &g.depth_stencil);
+  const Framebuffer target = surface_target(g);
   ShaderDefines defines = gbuffer_defines(g);
   const Program& solid = frame.program("shaders/surface.vert.glsl", "shaders/surface.frag.glsl", defines);
   defines.emplace_back("CUTOUT");

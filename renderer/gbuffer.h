@@ -1,6 +1,7 @@
 #pragma once
 
 #include "renderer/frame_camera.h"
+#include "renderer/gl_framebuffer.h"
 #include "renderer/gl_objects.h"
 
 namespace lightbench {
@@ -36,15 +37,24 @@ struct GBuffer {
   GlTexture emission;  ///< RGBA32F: Ke and alpha 1; the background's colour and alpha 0 without geometry
   GlTexture depth_stencil;  ///< stencil 1 where there is geometry
 
-  /// Binds the textures to the units of shaders/gbuffer.glsl (0 to 5) and the camera to its uniform block 0.
+  /// Binds the textures to the units of shaders/gbuffer.glsl (0 to 5), the camera to uniform block 0 and the
+  /// tiles, if there are any, to block 2.
   void bind() const;
 
   Buffer camera_block;
+  Buffer tile_block;  ///< of a surround (renderer/surround.h), else empty
 };
 
 /// Draws the scene of the frame; times nothing.
 GBuffer draw_gbuffer(FrameContext& frame, const FrameCamera& camera, int width, int height,
                      const GBufferOptions& options = {});
+
+/// An empty one to draw into, and the block `Frame` of shaders/frame.glsl for a camera of that many pixels.
+GBuffer make_gbuffer(const FrameCamera& camera, int width, int height, NormalFormat normals);
+Framebuffer surface_target(const GBuffer& gbuffer);
+Buffer camera_block(const FrameCamera& camera, int width, int height);
+/// Nearer surfaces win and mark their pixels in the stencil.
+void set_surface_state();
 
 /// What programs that include shaders/gbuffer.glsl must be compiled with for this G-buffer.
 std::vector<std::string> gbuffer_defines(const GBuffer& gbuffer);

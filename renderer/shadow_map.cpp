@@ -52,8 +52,9 @@ Seen measure_seen(FrameContext& frame, const GBuffer& gbuffer, ShadowProjection 
   for (GlTexture& texture : blocks) texture = GlTexture(TexelFormat::rgba32f, width, height);
   const GlTexture depths(TexelFormat::rg32f, width, height);
   const Framebuffer target({&blocks[0], &blocks[1], &blocks[2], &blocks[3], &blocks[4], &blocks[5], &depths});
-  const Program& program =
-      frame.fullscreen_program("shaders/shadow_bounds.frag.glsl", projection_defines(projection));
+  ShaderDefines defines = gbuffer_defines(gbuffer);
+  for (const std::string& define : projection_defines(projection)) defines.push_back(define);
+  const Program& program = frame.fullscreen_program("shaders/shadow_bounds.frag.glsl", defines);
   program.set("block_size", kMeasuredBlock);
   frame.draw_fullscreen(target, program);
   Seen seen;

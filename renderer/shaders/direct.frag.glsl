@@ -14,6 +14,9 @@ layout(location = 0) out vec4 lit;
 #ifdef WITH_IRRADIANCE
 layout(location = 1) out vec4 irradiance;
 #endif
+#ifdef WITH_BACK
+layout(location = 2) out vec4 back_irradiance;
+#endif
 #ifdef WITH_VISIBILITY
 layout(location = VISIBILITY_LOCATION) out float mean_visibility;
 #endif
@@ -42,7 +45,7 @@ void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   float z = gbuffer_z(pixel);
   if (z <= 0.0) discard;
-  vec3 position = world_position((vec2(pixel) + 0.5) * frame_size.zw, z);
+  vec3 position = gbuffer_position(pixel, z);
   vec3 normal = gbuffer_normal(pixel);
 
   vec3 offset = light_position.xyz - position;
@@ -51,12 +54,17 @@ void main() {
   float strength = light_position.w != 0.0 ? attenuation(distance_to_light) * cone(to_light) : 1.0;
   float n_dot_l = dot(normal, to_light);
 
+#ifdef WITH_BACK
+  float lit_cosine = abs(n_dot_l);  // of the side that faces the light
+#else
+  float lit_cosine = n_dot_l;
+#endif
   float seen = 0.0;
-  if (n_dot_l > 0.0 && strength > 0.0) {
+  if (lit_cosine > 0.0 && strength > 0.0) {
 #ifdef SHADOW_NONE
     seen = 1.0;
 #else
-    seen = visibility(receiver_at(position, z, gbuffer_geometric_normal(pixel)), n_dot_l);
+    seen = visibility(receiver_at(position, z, gbuffer_geometric_normal(pixel)), lit_cosine);
 #endif
   }
   vec3 arriving = light_color.rgb * strength * seen;
@@ -70,6 +78,9 @@ void main() {
   lit = vec4(texelFetch(gbuffer_albedo, pixel, 0).rgb * diffuse + gloss, 0.0);
 #ifdef WITH_IRRADIANCE
   irradiance = vec4(diffuse, 0.0);
+#endif
+#ifdef WITH_BACK
+  back_irradiance = vec4(arriving * max(-n_dot_l, 0.0), 0.0);
 #endif
 #ifdef WITH_VISIBILITY
   mean_visibility = (seen - 1.0) * light_color.w;

@@ -24,5 +24,11 @@ vec3 gbuffer_normal(ivec2 pixel) { return decode_gbuffer_normal(texelFetch(gbuff
 vec3 gbuffer_geometric_normal(ivec2 pixel) {
   return decode_octahedral(texelFetch(gbuffer_geometric_normals, pixel, 0).xy);
 }
-// The position at the centre of a pixel of the G-buffer.
-vec3 gbuffer_position(ivec2 pixel) { return world_position((vec2(pixel) + 0.5) * frame_size.zw, gbuffer_z(pixel)); }
+
+// The position at the centre of a pixel of the G-buffer, where z is its depth as kept.
+#ifdef TILED
+#include "shaders/tiles.glsl"
+vec3 gbuffer_position(ivec2 pixel, float z) { return camera_position.xyz + tile_ray(pixel) * (z * camera_position.w); }
+#else
+vec3 gbuffer_position(ivec2 pixel, float z) { return world_position((vec2(pixel) + 0.5) * frame_size.zw, z); }
+#endif

@@ -21,7 +21,7 @@ void main() {
     for (int x = first.x; x < last.x; ++x) {
       float z = gbuffer_z(ivec2(x, y));
       if (z <= 0.0) continue;
-      vec3 d = world_position((vec2(x, y) + 0.5) * frame_size.zw, z) - shadow_origin.xyz;
+      vec3 d = gbuffer_position(ivec2(x, y), z) - shadow_origin.xyz;
       int view = shadow_view_of(d, z);
       vec3 q = to_shadow_view(view, d);
 #ifdef SHADOW_ORTHOGRAPHIC

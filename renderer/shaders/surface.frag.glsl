@@ -41,6 +41,14 @@ vec4 encoded_normal(vec3 n) {
 #endif
 }
 
+#ifdef BEHIND_LAYER
+// What was drawn nearer to the viewer already, as `depth` has it; and where this layer's texels lie from its own.
+layout(binding = 2) uniform sampler2D nearer_layer;
+uniform ivec2 nearer_offset;
+// By how much, as a share, a surface has to lie behind it to be another one.
+const float kBehind = 1e-3;
+#endif
+
 void main() {
   Material material = materials[material_index];
   // Derivatives and texture lookups first: they need all pixels of a block to take part.
@@ -51,12 +59,21 @@ void main() {
   if (is_cut_out(surface_uv)) discard;
 #endif
 
+  float kept_depth = dot(relative_position, camera_forward.xyz) / camera_position.w;
+#ifdef BEHIND_LAYER
+  float nearer = texelFetch(nearer_layer, ivec2(gl_FragCoord.xy) + nearer_offset, 0).r;
+  if (nearer <= 0.0 || kept_depth <= nearer * (1.0 + kBehind)) discard;
+#ifdef FRONT_FACES
+  if (dot(world_normal, relative_position) > 0.0) discard;
+#endif
+#endif
+
   vec3 viewer = -normalize(relative_position);
   face_normal = towards_viewer(face_normal, viewer);
   albedo = vec4(diffuse, material.diffuse_reflectance.a);
   normal = encoded_normal(towards_viewer(world_normal, face_normal));
   geometric_normal = encode_octahedral(face_normal);
-  depth = dot(relative_position, camera_forward.xyz) / camera_position.w;
+  depth = kept_depth;
   specular = vec2(material.emission_specular.a, material.exponent_texture.x);
   emission = vec4(material.emission_specular.rgb, 1.0);
 }

@@ -11,6 +11,7 @@
 #include "renderer/frame_context.h"
 #include "renderer/techniques/isr_kernel.h"
 #include "renderer/techniques/isr_params.h"
+#include "renderer/techniques/isr_slices.h"
 
 namespace lightbench {
 namespace {
@@ -178,6 +179,24 @@ CoarseLight gather(const Isr& isr, const CoarseScene& coarse) {
   return light;
 }
 
+CoarseLight gather_with_visibility(const Isr& isr, const CoarseScene& coarse,
+                                   const Surroundings& surroundings) {
+  CoarseLight light = make_light(isr);
+  coarse.patches.bind(kPatchUnit);
+  coarse.normals.bind(kNormalUnit);
+  gather_slices(isr.frame, isr.params, surroundings, Framebuffer({&light.indirect}));
+  return light;
+}
+
+/// Directions in which nothing was seen take the mean of the others.
+void fill_unknown(const Isr& isr, CoarseLight& light) {
+  if (!isr.is("visibility", "bitmask") || !isr.is("unknown", "ambient")) return;
+  GlTexture filled = coarse_texture(isr, TexelFormat::rgba16f);
+  light.indirect.bind(kIndirectUnit);
+  isr.frame.draw_fullscreen(Framebuffer({&filled}), isr.program("fill"));
+  light.indirect = std::move(filled);
+}
+
 void blur_along(const Isr& isr, const CoarseLight& from, const CoarseLight& to, const glm::ivec2& direction) {
   const int radius = isr.params.integer("blur_radius");
   const float sigma = 0.5f * float(radius) + 0.5f;
@@ -194,6 +213,7 @@ void blur_along(const Isr& isr, const CoarseLight& from, const CoarseLight& to, 
 void blur(const Isr& isr, const CoarseScene& coarse, CoarseLight& light) {
   if (isr.is("blur", "none")) return;
   const CoarseLight between = make_light(isr);
+  isr.gbuffer.camera_block.bind_uniform(0);
   coarse.patches.bind(kPatchUnit);
   blur_along(isr, light, between, {1, 0});
   blur_along(isr, between, light, {0, 1});
@@ -261,8 +281,16 @@ void render_isr(FrameContext& frame, const ParamValues& params) {
     coarse = downsample(isr);
     reduce(isr, coarse);
   });
-  frame.pass("gather", [&] { light = gather(isr, coarse); });
-  frame.pass("blur", [&] { blur(isr, coarse, light); });
+  if (isr.is("visibility", "bitmask")) {
+    const Surroundings surroundings = draw_surroundings(frame, params);
+    frame.pass("gather", [&] { light = gather_with_visibility(isr, coarse, surroundings); });
+  } else {
+    frame.pass("gather", [&] { light = gather(isr, coarse); });
+  }
+  frame.pass("blur", [&] {
+    blur(isr, coarse, light);
+    fill_unknown(isr, light);
+  });
   compose(isr, coarse, light);
   keep_direct_buffers(frame, gbuffer, direct);
 }
@@ -289,9 +317,12 @@ Technique isr_technique() {
   technique.buffers.push_back(
       {"occlusion", "ambient openness, 1 - min(1, sum of eq. 26); 1 on the background"});
   technique.shaders = direct_shaders();
-  for (const char* pass : {"downsample", "reduce", "gather", "blur", "light"})
+  for (const char* pass :
+       {"downsample", "reduce", "gather", "surfels", "radiance", "slices", "blur", "fill", "light"})
     technique.shaders.push_back(std::string("techniques/isr/") + pass + ".frag.glsl");
-  technique.bounces = [](const ParamValues&) { return 1; };
+  technique.bounces = [](const ParamValues& params) {
+    return params.text("visibility") == "bitmask" ? params.integer("bounces") : 1;
+  };
   technique.unsupported = unsupported;
   technique.render = render_isr;
   return technique;

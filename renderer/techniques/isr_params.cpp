@@ -50,6 +50,38 @@ std::vector<ParamSpec> isr_params() {
           "source", {"lit", "diffuse", "albedo"},
           "what a sample sends out: lit: the direct picture with emission and highlights; diffuse: without "
           "highlights, which shine elsewhere than to the camera; albedo: unlit colour, as in the thesis"),
+      choice("visibility", {"none", "bitmask"},
+             "none: samples round a pixel, whatever stands between, as in the thesis; bitmask: planes "
+             "through the "
+             "camera are searched outwards, and what is found hides what lies behind it. The parameters from "
+             "`slices` to `unknown` are for bitmask alone, those from `samples` to `far_block` and the form "
+             "factor's "
+             "for none"),
+      integer("slices", 4, 1, 64, "planes through the camera that are searched, to both sides"),
+      integer("steps", 16, 1, 256, "on each side of a slice, all around the camera"),
+      number("step_exponent", 2.0, 1.0, 6.0,
+             "of the steps' angles: 1 is even, more crowds them round the receiver"),
+      number("thickness", 0.0, 0.0, 10.0,
+             "how far surfaces go on behind what is seen of them, as a share of the distance; what they hide "
+             "there is "
+             "unknown"),
+      number("guard", 1.0, 1.0, 4.0,
+             "how many times as wide as the frame the picture is that is gathered from"),
+      integer("guard_resolution", 2, 1, 16, "pixels of the frame along the edge of a texel of that picture"),
+      integer("layers", 1, 1, 8, "surfaces that are kept along a ray, nearest first"),
+      choice("layer_faces", {"front", "all"},
+             "which surfaces behind the first one are kept: those that face the camera as they were "
+             "modelled, or all"),
+      choice("cameras", {"none", "cube"},
+             "cube: six more pictures all around the camera, gathered from where the wide picture does not "
+             "reach"),
+      integer("camera_size", 128, 8, 2048, "texels along an edge of each of the six"),
+      integer("bounces", 1, 1, 4,
+              "of indirect light; all but the last are gathered for what is gathered from"),
+      integer("bounce_slices", 2, 1, 64, "slices of the bounces before the last"),
+      integer("bounce_steps", 12, 1, 256, "steps of the bounces before the last"),
+      choice("unknown", {"black", "ambient"},
+             "what comes from directions in which nothing was seen: nothing, or the mean of the others"),
       integer("samples", 48, 1, kMaxKernelSamples, "samples gathered for each coarse pixel"),
       choice("pattern", {"spiral", "grid"},
              "spiral: golden angle, in a disc of `radius`; grid: the square of coarse pixels around it, "
@@ -105,6 +137,15 @@ std::vector<ParamPreset> isr_presets() {
                       {"blur_radius", 4LL},    {"min_view_cosine", 0.15}, {"energy_bound", false}};
   return {
       {"area", {}, "the defaults: physical weights, 48 samples"},
+      {"best",
+       {{"visibility", "bitmask"},
+        {"slices", 8LL},
+        {"steps", 24LL},
+        {"layers", 3LL},
+        {"cameras", "cube"},
+        {"bounces", 2LL},
+        {"unknown", "ambient"}},
+       "all around, behind what is seen, and with two bounces"},
       {"area-24", {{"samples", 24LL}}, "the same with 24 samples"},
       {"area-48", {{"samples", 48LL}}, "the same with 48 samples"},
       {"area-80", {{"samples", 80LL}}, "the same with 80 samples"},

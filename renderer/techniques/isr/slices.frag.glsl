@@ -1,0 +1,257 @@
+// Gathers indirect light with visibility (renderer/techniques/isr_slices.h): half-planes through the camera and the
+// receiver are searched from the receiver's direction outwards, and what is found covers sectors of directions.
+//
+// In such a half-plane a direction from the receiver is an angle A from the way to the camera, and a direction from the
+// camera an angle T from the way to the receiver. Along a ray from the receiver T only grows: what has a smaller T
+// hides what has a larger one.
+#include "shaders/frame.glsl"
+#include "shaders/tiles.glsl"
+#include "techniques/isr/coarse.glsl"
+
+layout(binding = 8) uniform sampler2D coarse_normals;  // shading normals of the patches, octahedral
+layout(binding = 9) uniform sampler2D surfels;
+layout(binding = 10) uniform sampler2D front_radiance;
+layout(binding = 11) uniform sampler2D back_radiance;
+
+uniform int slices;  // planes; each has two sides
+uniform int steps;   // on each side
+uniform float step_exponent;
+uniform float thickness;  // of what is found, as a share of its distance from the camera
+uniform vec3 background;
+
+#ifdef SURFEL_RECEIVERS
+layout(location = 0) out vec4 front;
+layout(location = 1) out vec4 back;
+#else
+layout(location = 0) out vec4 indirect;  // of a white surface; alpha: the share of directions in which something was seen
+#endif
+
+const float kPi = 3.14159265;
+const uint kSectors = 32u;
+// Surfaces whose plane passes the receiver at less than this share of their distance are taken for its own.
+const float kOwnPlane = 0.01;
+const float kRounding = 1e-5;  // of the distance from the camera
+
+// The sectors of one side of a slice have equal shares of the cosine-weighted light: the integral of
+// sin A cos(A - g) over A, where g is the angle of the normal's projection into the plane.
+struct Sectors {
+  float first, last;      // angles that see the receiver's hemisphere
+  float cos_g, sin_g;
+  float cos_first, cos_last;
+  float start, total;     // the integral up to `first`, and from there to `last`
+};
+
+float integral_to(Sectors s, float angle, float cosine, float sine) {
+  float cos_2a = 2.0 * cosine * cosine - 1.0;
+  float sin_2a = 2.0 * cosine * sine;
+  return 0.25 * (s.cos_g + 2.0 * angle * s.sin_g - cos_2a * s.cos_g - sin_2a * s.sin_g);
+}
+
+// The arc cosine, off by less than 7e-5 (Abramowitz and Stegun 4.4.45).
+float arc_cosine(float x) {
+  float a = abs(x);
+  float r = sqrt(max(1.0 - a, 0.0)) * (1.5707288 + a * (-0.2121144 + a * (0.0742610 - 0.0187293 * a)));
+  return x < 0.0 ? kPi - r : r;
+}
+
+Sectors make_sectors(float cos_g, float sin_g) {
+  Sectors s;
+  s.cos_g = cos_g;
+  s.sin_g = sin_g;
+  float g = sin_g >= 0.0 ? arc_cosine(cos_g) : -arc_cosine(cos_g);
+  s.first = clamp(g - 0.5 * kPi, 0.0, kPi);
+  s.last = clamp(g + 0.5 * kPi, 0.0, kPi);
+  s.cos_first = cos(s.first);
+  s.cos_last = cos(s.last);
+  s.start = integral_to(s, s.first, s.cos_first, sin(s.first));
+  s.total = integral_to(s, s.last, s.cos_last, sin(s.last)) - s.start;
+  return s;
+}
+
+// Where a direction lies among the sectors, 0..1. `cosine` and `sine` are those of its angle A, 0..pi.
+float place_of(Sectors s, float cosine, float sine) {
+  if (cosine >= s.cos_first) return 0.0;
+  if (cosine <= s.cos_last) return 1.0;
+  return clamp((integral_to(s, arc_cosine(cosine), cosine, sine) - s.start) / s.total, 0.0, 1.0);
+}
+
+uint sector_mask(float a, float b, float dither) {
+  uint low = min(uint(min(a, b) * float(kSectors) + dither), kSectors);
+  uint high = min(uint(max(a, b) * float(kSectors) + dither), kSectors);
+  uint count = high - low;
+  if (count == 0u) return 0u;
+  return (count == kSectors ? ~0u : (1u << count) - 1u) << low;
+}
+
+struct Receiver {
+  float distance_;  // from the camera
+  vec3 outward;     // the way from the camera, unit
+  vec3 side;        // a unit vector across it, and the other one
+  vec3 other;
+};
+
+Receiver receiver_at(vec3 position) {
+  Receiver r;
+  r.distance_ = length(position);
+  r.outward = position / r.distance_;
+  r.side = normalize(abs(r.outward.y) < 0.9 ? cross(r.outward, vec3(0.0, 1.0, 0.0)) : cross(r.outward, vec3(1.0, 0.0, 0.0)));
+  r.other = cross(r.outward, r.side);
+  return r;
+}
+
+// One side of a slice: what its sectors see, and the share of them that saw something, times their part of the light.
+vec4 search(Receiver r, vec3 across, Sectors sectors, float jitter, float dither) {
+  uint covered = 0u;
+  vec3 seen = vec3(0.0);
+  uint known = 0u;
+  float rows = eye_up.w;
+  int layers = int(eye_forward.w);
+  vec2 before = vec2(1.0, 0.0);  // cosine and sine of T where the step begins
+  float place_before = 1.0;      // of a point at infinity there
+  for (int i = 0; i <= steps; ++i) {
+    float share = min((float(i) + jitter) / float(steps), 1.0);
+    float angle_after = kPi * pow(share, step_exponent);
+    float angle_middle = kPi * pow(max(share - 0.5 / float(steps), 0.5 * share), step_exponent);
+    vec2 after = vec2(cos(angle_after), sin(angle_after));
+    vec2 middle = vec2(cos(angle_middle), sin(angle_middle));
+    vec3 ray = middle.x * r.outward + middle.y * across;
+    ivec2 texel = tile_texel(ray);
+    if (texel.x < 0) break;
+    vec3 ray_before = before.x * r.outward + before.y * across;
+    vec3 ray_after = after.x * r.outward + after.y * across;
+    for (int layer = 0; layer < layers; ++layer) {
+      vec3 surfel = texelFetch(surfels, texel, 0).xyz;
+      if (surfel.z == 0.0) {
+        if (layer > 0) break;
+        // Infinitely far: A and T add up to pi.
+        uint fresh = sector_mask(place_of(sectors, -before.x, before.y), place_of(sectors, -after.x, after.y), dither) & ~covered;
+        covered |= fresh;
+        uint count = uint(bitCount(fresh));
+        known += count;
+        seen += float(count) * background;
+        break;
+      }
+      vec3 normal = unpack_normal(surfel.x);
+      float height = dot(normal, r.outward) * r.distance_ - surfel.y;  // of the receiver over the surfel's plane
+      vec2 range = surfel.z * vec2(0.5, 2.0);
+      float t0 = clamp(surfel.y / min(dot(normal, ray_before), -1e-5), range.x, range.y);
+      float t1 = clamp(surfel.y / min(dot(normal, ray_after), -1e-5), range.x, range.y);
+      // Along the way to the camera, and across it.
+      vec2 end0 = vec2(r.distance_ - t0 * before.x, t0 * before.y);
+      vec2 end1 = vec2(r.distance_ - t1 * after.x, t1 * after.y);
+      float length1 = length(end1);
+      if (abs(height) > kOwnPlane * length1 + kRounding * r.distance_) {
+        vec2 d0 = end0 / max(length(end0), 1e-20);
+        vec2 d1 = end1 / max(length1, 1e-20);
+        float place0 = place_of(sectors, d0.x, d0.y);
+        float place1 = place_of(sectors, d1.x, d1.y);
+        uint fresh = sector_mask(place0, place1, dither) & ~covered;
+        if (fresh != 0u) {
+          covered |= fresh;
+          uint count = uint(bitCount(fresh));
+          known += count;
+          vec3 radiance = height > 0.0 ? texelFetch(front_radiance, texel, 0).rgb : texelFetch(back_radiance, texel, 0).rgb;
+          seen += float(count) * radiance;
+        }
+#ifdef THICKNESS
+        // What lies behind it is hidden as far as it is thick; what it looks like there is not known.
+        vec2 deep0 = vec2(r.distance_ - (1.0 + thickness) * t0 * before.x, (1.0 + thickness) * t0 * before.y);
+        vec2 deep1 = vec2(r.distance_ - (1.0 + thickness) * t1 * after.x, (1.0 + thickness) * t1 * after.y);
+        deep0 /= max(length(deep0), 1e-20);
+        deep1 /= max(length(deep1), 1e-20);
+        float place2 = place_of(sectors, deep0.x, deep0.y);
+        float place3 = place_of(sectors, deep1.x, deep1.y);
+        covered |= sector_mask(min(min(place0, place1), min(place2, place3)), max(max(place0, place1), max(place2, place3)), dither);
+#endif
+      }
+      texel.y += int(rows);
+    }
+    if (covered == ~0u) break;
+    before = after;
+  }
+  return sectors.total / float(kSectors) * vec4(seen, float(known));
+}
+
+// What a surface at the receiver sees that faces `normal`: light of a white one, and the share of directions known.
+vec4 gather(Receiver r, vec3 normal, float turn, float jitter, float dither) {
+  vec4 sum = vec4(0.0);
+  float weights = 0.0;
+  for (int i = 0; i < slices; ++i) {
+    float angle = (float(i) + turn) * kPi / float(slices);
+    vec3 across = cos(angle) * r.side + sin(angle) * r.other;
+    vec2 projected = vec2(-dot(normal, r.outward), dot(normal, across));
+    float size = length(projected);
+    if (size < 1e-4) continue;
+    projected /= size;
+    for (int side = 0; side < 2; ++side) {
+      Sectors sectors = make_sectors(projected.x, projected.y);
+      if (sectors.total > 1e-6) {
+        sum += size * search(r, across, sectors, fract(jitter + 0.5 * float(side) + 0.38196601 * float(i)), dither);
+        weights += size * sectors.total;
+      }
+      across = -across;
+      projected.y = -projected.y;
+    }
+  }
+  return weights > 0.0 ? sum / weights : vec4(0.0);
+}
+
+uint hash(uvec2 at) {
+  uint h = at.x * 0x8da6b343u + at.y * 0xd8163841u;
+  h = (h ^ (h >> 15)) * 0x2c1b3c6du;
+  h = (h ^ (h >> 12)) * 0x297a2d39u;
+  return h ^ (h >> 15);
+}
+
+float unit(uint bits) { return (float(bits >> 8) + 0.5) / 16777216.0; }
+
+#ifdef SURFEL_RECEIVERS
+vec4 filled(vec4 gathered) {
+#ifdef UNKNOWN_AMBIENT
+  return vec4(gathered.rgb / max(gathered.a, 0.1), 1.0);
+#else
+  return gathered;
+#endif
+}
+
+void main() {
+  front = vec4(0.0);
+  back = vec4(0.0);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec3 surfel = texelFetch(surfels, pixel, 0).xyz;
+  if (surfel.z == 0.0) return;
+  vec3 ray = tile_ray(pixel);
+  vec3 position = normalize(vec3(dot(ray, eye_right.xyz), dot(ray, eye_up.xyz), dot(ray, eye_forward.xyz))) * surfel.z;
+  vec3 normal = unpack_normal(surfel.x);
+  Receiver r = receiver_at(position);
+  uint h = hash(uvec2(pixel));
+  float turn = unit(h), jitter = unit(h * 0x9e3779b9u), dither = unit(h * 0x85ebca6bu);
+  front = filled(gather(r, normal, turn, jitter, dither));
+  back = filled(gather(r, -normal, turn, jitter, dither));
+}
+#else
+// Which of 64 turns of the slices a patch takes: ordered dithering, the bits of x ^ y and y, interleaved and reversed.
+float tiled_turn(ivec2 pixel) {
+  uint x = uint(pixel.x ^ pixel.y) & 7u;
+  uint y = uint(pixel.y) & 7u;
+  uint n = 0u;
+  for (int bit = 0; bit < 3; ++bit) {
+    n = (n << 2) | ((x & 1u) << 1) | (y & 1u);
+    x >>= 1;
+    y >>= 1;
+  }
+  return (float(n) + 0.5) / 64.0;
+}
+
+void main() {
+  indirect = vec4(0.0);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 patch_ = texelFetch(coarse_patches, pixel, 0);
+  if (patch_.w == kNoPatch) return;
+  vec3 normal = decode_octahedral(texelFetch(coarse_normals, pixel, 0).xy);
+  mat3 eye = transpose(mat3(eye_right.xyz, eye_up.xyz, eye_forward.xyz));
+  Receiver r = receiver_at(eye * patch_.xyz);
+  float turn = tiled_turn(pixel);
+  indirect = gather(r, eye * normal, turn, fract(turn * 64.0 * 0.61803399), fract(turn * 64.0 * 0.75487767));
+}
+#endif
