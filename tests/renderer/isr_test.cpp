@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "renderer/frame_camera.h"
 #include "renderer/techniques/isr_params.h"
-#include "tests/renderer/render_scene.h"
+#include "tests/renderer/isr_scenes.h"
 
 namespace lightbench {
 namespace {
@@ -19,31 +19,6 @@ namespace {
 using namespace test;
 
 constexpr double kPi = std::numbers::pi;
-
-Material glowing(float radiance) {
-  Material material = matte(glm::vec3(0));
-  material.emission = glm::vec3(radiance);
-  return material;
-}
-
-View view_from(const glm::vec3& position, const glm::vec3& look_at, float fov) {
-  View view;
-  view.name = "view";
-  view.camera.position = position;
-  view.camera.look_at = look_at;
-  view.camera.fov = fov;
-  return view;
-}
-
-FrameResult render_isr(const Scene& scene, const View& view, std::map<std::string, ParamValue> params = {},
-                       int width = 128, int height = 96) {
-  return render(scene, view,
-                {.technique = "isr",
-                 .params = std::move(params),
-                 .width = width,
-                 .height = height,
-                 .buffers = {"indirect", "occlusion"}});
-}
 
 /// A lit corner of three walls with a box-like step, background all round: all stages have work.
 Scene corner_scene() {
@@ -64,16 +39,6 @@ View corner_view() {
   return view_from({1.6f, 1.2f, 2.4f}, {-0.2f, 0.4f, 0}, 0.8f);
 }
 
-/// Form factor from a point to a rectangle in a parallel plane at distance `h` that spans 0..a, 0..b from the
-/// point's foot: signed, so that rectangles elsewhere are sums of four.
-double corner_parallel(double a, double b, double h) {
-  const double x = a / h;
-  const double y = b / h;
-  const double u = std::sqrt(1 + x * x);
-  const double v = std::sqrt(1 + y * y);
-  return (x / u * std::atan(y / u) + y / v * std::atan(x / v)) / (2 * kPi);
-}
-
 /// Mean over the pixels that `use` accepts (by indirect value and index) of a component.
 template <typename Use>
 double mean_where(const Image& image, Use use) {
@@ -84,41 +49,6 @@ double mean_where(const Image& image, Use use) {
       if (use(x, y)) sum += image.pixel(x, y)[0], ++count;
   EXPECT_GT(count, 0);
   return sum / count;
-}
-
-/// Two unit squares that face each other at distance 1, the upper one glowing with radiance 1, the lower one
-/// white, seen from the side.
-Scene plates() {
-  Scene scene;
-  scene.name = "plates";
-  scene.materials = {matte(glm::vec3(1)), glowing(1)};
-  add_quad(scene, {-0.5f, 0, 0.5f}, {1, 0, 0}, {0, 0, -1}, 0);
-  add_quad(scene, {-0.5f, 1, -0.5f}, {1, 0, 0}, {0, 0, 1}, 1);
-  return scene;
-}
-
-/// What the lower plate shows relative to what its form factor says, over its pixels: radiance 1 times
-/// albedo 1.
-double plates_ratio(std::map<std::string, ParamValue> params, int height = 192) {
-  const View view = view_from({0, 0.5f, 2.2f}, {0, 0.5f, 0}, 0.9f);
-  const int width = height * 4 / 3;
-  const FrameResult result = render_isr(plates(), view, std::move(params), width, height);
-  const Image& indirect = result.buffers.at("indirect");
-  double shown = 0;
-  double expected = 0;
-  for (int y = height / 2; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      if (result.image.pixel(x, y)[3] < 1) continue;
-      const double tan_half = std::tan(0.45);
-      const double down = tan_half * (2 * (y + 0.5) / height - 1);
-      const double depth = 0.5 / down;  // of the plate's plane at this row
-      const double px = depth * tan_half * width / height * (2 * (x + 0.5) / width - 1);
-      const double pz = 2.2 - depth;
-      expected += corner_parallel(0.5 - px, 0.5 - pz, 1) + corner_parallel(0.5 + px, 0.5 - pz, 1) +
-                  corner_parallel(0.5 - px, 0.5 + pz, 1) + corner_parallel(0.5 + px, 0.5 + pz, 1);
-      shown += indirect.pixel(x, y)[0];
-    }
-  return shown / expected;
 }
 
 TEST(GlIsr, FacingPlatesSeeEachOtherByTheirFormFactor) {
