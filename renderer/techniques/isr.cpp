@@ -317,8 +317,8 @@ Technique isr_technique() {
   technique.buffers.push_back(
       {"occlusion", "ambient openness, 1 - min(1, sum of eq. 26); 1 on the background"});
   technique.shaders = direct_shaders();
-  for (const char* pass :
-       {"downsample", "reduce", "gather", "surfels", "radiance", "slices", "blur", "fill", "light"})
+  for (const char* pass : {"downsample", "reduce", "gather", "surfels", "receivers", "radiance", "slices",
+                           "blur", "fill", "light"})
     technique.shaders.push_back(std::string("techniques/isr/") + pass + ".frag.glsl");
   technique.bounces = [](const ParamValues& params) {
     return params.text("visibility") == "bitmask" ? params.integer("bounces") : 1;

@@ -5,7 +5,8 @@
 namespace lightbench {
 namespace {
 
-constexpr unsigned kSurfelUnit = 9;  // of techniques/isr/*.glsl
+constexpr unsigned kPatchUnit = 6;  // of techniques/isr/*.glsl
+constexpr unsigned kSurfelUnit = 9;
 constexpr unsigned kFrontUnit = 10;
 constexpr unsigned kBackUnit = 11;
 
@@ -27,9 +28,8 @@ struct Sides {
   GlTexture back;
 };
 
-Sides make_sides(const GBuffer& g) {
-  return {GlTexture(TexelFormat::rgba16f, g.width, g.height),
-          GlTexture(TexelFormat::rgba16f, g.width, g.height)};
+Sides make_sides(int width, int height) {
+  return {GlTexture(TexelFormat::rgba16f, width, height), GlTexture(TexelFormat::rgba16f, width, height)};
 }
 
 GlTexture make_surfels(FrameContext& frame, const GBuffer& g) {
@@ -40,8 +40,23 @@ GlTexture make_surfels(FrameContext& frame, const GBuffer& g) {
   return surfels;
 }
 
-Sides make_radiance(FrameContext& frame, const GBuffer& g, const DirectLight& direct, const Sides* indirect) {
-  Sides radiance = make_sides(g);
+/// Where light is gathered for blocks of texels.
+GlTexture make_receivers(FrameContext& frame, const Surroundings& of, int block) {
+  const auto blocks_along = [&](int texels) { return (texels + block - 1) / block; };
+  GlTexture receivers(TexelFormat::rgba32f, blocks_along(of.gbuffer.width), blocks_along(of.gbuffer.height));
+  const Program& program = frame.fullscreen_program("techniques/isr/receivers.frag.glsl");
+  program.set("block", block);
+  of.gbuffer.bind();
+  of.surfels.bind(kSurfelUnit);
+  frame.draw_fullscreen(Framebuffer({&receivers}), program);
+  return receivers;
+}
+
+/// `indirect` is of blocks of texels, whose receivers are bound as patches.
+Sides make_radiance(FrameContext& frame, const Surroundings& of, const DirectLight& direct,
+                    const Sides* indirect, int block) {
+  const GBuffer& g = of.gbuffer;
+  Sides radiance = make_sides(g.width, g.height);
   ShaderDefines defines = gbuffer_defines(g);
   if (indirect) defines.emplace_back("WITH_INDIRECT");
   g.bind();
@@ -50,9 +65,11 @@ Sides make_radiance(FrameContext& frame, const GBuffer& g, const DirectLight& di
   if (indirect) {
     indirect->front.bind(11);
     indirect->back.bind(12);
+    of.surfels.bind(13);
   }
-  frame.draw_fullscreen(Framebuffer({&radiance.front, &radiance.back}),
-                        frame.fullscreen_program("techniques/isr/radiance.frag.glsl", defines));
+  const Program& program = frame.fullscreen_program("techniques/isr/radiance.frag.glsl", defines);
+  program.set("block", block);
+  frame.draw_fullscreen(Framebuffer({&radiance.front, &radiance.back}), program);
   return radiance;
 }
 
@@ -97,15 +114,18 @@ Surroundings draw_surroundings(FrameContext& frame, const ParamValues& params) {
   const DirectLight direct = draw_direct_light(frame, result.gbuffer, shadow_options(params), outputs);
   const Effort effort{params.integer("bounce_slices"), params.integer("bounce_steps")};
   frame.pass("bounces", [&] {
-    Sides radiance = make_radiance(frame, result.gbuffer, direct, nullptr);
+    const int block = params.integer("bounce_resolution");
+    const GlTexture receivers = make_receivers(frame, result, block);
+    receivers.bind(kPatchUnit);
+    Sides radiance = make_radiance(frame, result, direct, nullptr, block);
     for (int bounce = 1;; ++bounce) {
       result.front_radiance = std::move(radiance.front);
       result.back_radiance = std::move(radiance.back);
       if (bounce == params.integer("bounces")) break;
-      const Sides indirect = make_sides(result.gbuffer);
+      const Sides indirect = make_sides(receivers.width(), receivers.height());
       draw_slices(frame, params, result, effort, {"SURFEL_RECEIVERS"},
                   Framebuffer({&indirect.front, &indirect.back}));
-      radiance = make_radiance(frame, result.gbuffer, direct, &indirect);
+      radiance = make_radiance(frame, result, direct, &indirect, block);
     }
   });
   return result;

@@ -6,7 +6,7 @@
 // hides what has a larger one.
 #include "shaders/frame.glsl"
 #include "shaders/tiles.glsl"
-#include "techniques/isr/coarse.glsl"
+#include "techniques/isr/surfel.glsl"
 
 layout(binding = 8) uniform sampler2D coarse_normals;  // shading normals of the patches, octahedral
 layout(binding = 9) uniform sampler2D surfels;
@@ -206,11 +206,13 @@ uint hash(uvec2 at) {
 float unit(uint bits) { return (float(bits >> 8) + 0.5) / 16777216.0; }
 
 #ifdef SURFEL_RECEIVERS
+// Alpha becomes what the light is worth: little where next to nothing was seen.
 vec4 filled(vec4 gathered) {
 #ifdef UNKNOWN_AMBIENT
-  return vec4(gathered.rgb / max(gathered.a, 0.1), 1.0);
+  const float kEnoughKnown = 0.1;
+  return vec4(gathered.rgb / max(gathered.a, 1e-3), min(gathered.a / kEnoughKnown, 1.0));
 #else
-  return gathered;
+  return vec4(gathered.rgb, 1.0);
 #endif
 }
 
@@ -218,12 +220,10 @@ void main() {
   front = vec4(0.0);
   back = vec4(0.0);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec3 surfel = texelFetch(surfels, pixel, 0).xyz;
-  if (surfel.z == 0.0) return;
-  vec3 ray = tile_ray(pixel);
-  vec3 position = normalize(vec3(dot(ray, eye_right.xyz), dot(ray, eye_up.xyz), dot(ray, eye_forward.xyz))) * surfel.z;
-  vec3 normal = unpack_normal(surfel.x);
-  Receiver r = receiver_at(position);
+  vec4 receiver = texelFetch(coarse_patches, pixel, 0);
+  if (receiver.w == kNoPatch) return;
+  vec3 normal = unpack_normal(receiver.w);
+  Receiver r = receiver_at(receiver.xyz);
   uint h = hash(uvec2(pixel));
   float turn = unit(h), jitter = unit(h * 0x9e3779b9u), dither = unit(h * 0x85ebca6bu);
   front = filled(gather(r, normal, turn, jitter, dither));

@@ -1,9 +1,7 @@
 // What slices.frag.glsl needs to know of each texel of the surround: the plane of its surface.
 #include "shaders/gbuffer.glsl"
-#include "techniques/isr/coarse.glsl"
+#include "techniques/isr/surfel.glsl"
 
-// Unit normal towards the camera along the eye axes, packed; the plane's offset along it (not positive); distance from
-// the camera; 0 where the texel shows no surface.
 layout(location = 0) out vec3 surfel;
 
 void main() {
