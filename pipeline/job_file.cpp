@@ -144,7 +144,7 @@ void read_scoring(JsonObject& object, Job& job) {
   if (!job.references.empty()) job.primary_reference = job.references.front().name;
   if (const auto primary = object.find("primary_reference"))
     job.primary_reference = primary->choice(row_names(std::span(job.references)));
-  job.metrics = row_names(metrics());
+  job.metrics = default_metrics();
   if (const auto chosen = object.find("metrics"))
     job.metrics = read_names(*chosen, job.metrics, "the metric");
   if (const auto gates = object.find("gates"))

@@ -204,7 +204,8 @@ std::string job_schema_text() {
       {"baseline",
        text_schema("variant that gain is measured against; default: the only variant of technique direct")},
       {"primary_reference", text_schema("default: the first")},
-      {"metrics", list_schema(enum_schema(row_names(metrics()), "a metric"), "default: all")},
+      {"metrics", list_schema(enum_schema(row_names(metrics()), "a metric"),
+                              "default: all but those of fitted ambient light")},
       {"gates", list_schema(gate_schema(), "rules that make the run pass or fail")},
       {"difference", difference_schema()},
       {"buffers", list_schema(enum_schema(all_buffers(), "a named buffer"), "written beside each snapshot")}};

@@ -93,7 +93,10 @@ std::string buffer_stem(const Job& job, int scene, int view, const std::string& 
                         const std::string& buffer);
 /// The folder of a scene's files for a reference kind.
 std::string shared_export_folder(const Job& job, int scene, const std::string& kind);
-/// The buffers of the job that this variant's technique has.
+/// The baseline's buffer that ambient light is fitted with; empty where no metric of the job needs it, or its
+/// technique has none.
+std::string baseline_albedo(const Job& job);
+/// The buffers of the job that this variant's technique has, and of the baseline those that metrics need.
 std::vector<std::string> variant_buffers(const Job& job, const JobVariant& variant);
 
 std::string key_of(const KeyParts& parts);

@@ -6,6 +6,7 @@
 #include "pipeline/concrete.h"
 #include "pipeline/plan.h"
 #include "renderer/technique.h"
+#include "reports/metric.h"
 
 namespace lightbench {
 namespace {
@@ -43,10 +44,21 @@ std::string shared_export_folder(const Job& job, int scene, const std::string& k
   return escape_file_name(kind) + "/" + escape_file_name(job.scenes[std::size_t(scene)].name);
 }
 
+std::string baseline_albedo(const Job& job) {
+  const auto baseline = std::find_if(job.variants.begin(), job.variants.end(),
+                                     [&](const JobVariant& variant) { return variant.name == job.baseline; });
+  if (baseline == job.variants.end() || !needs_ambient_fit(job.metrics)) return "";
+  for (const auto& buffer : find_technique(baseline->technique, "").buffers)
+    if (buffer.name == "albedo") return buffer.name;
+  return "";
+}
+
 std::vector<std::string> variant_buffers(const Job& job, const JobVariant& variant) {
   std::vector<std::string> result;
+  const std::string albedo = variant.name == job.baseline ? baseline_albedo(job) : "";
   for (const auto& buffer : find_technique(variant.technique, "").buffers)
-    if (std::find(job.buffers.begin(), job.buffers.end(), buffer.name) != job.buffers.end())
+    if (std::find(job.buffers.begin(), job.buffers.end(), buffer.name) != job.buffers.end() ||
+        buffer.name == albedo)
       result.push_back(buffer.name);
   return result;
 }

@@ -1,11 +1,13 @@
 #include "pipeline/score.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/image_io.h"
+#include "reports/ambient_fit.h"
 
 namespace lightbench {
 namespace {
@@ -41,16 +43,14 @@ Score compute_score(const ScoreRequest& request) {
   }
   score.masked_pixels =
       mask.empty() ? reference.pixel_count() : std::size_t(std::count(mask.begin(), mask.end(), 1));
-  for (const auto& name : request.metrics) {
-    const Metric& metric = find_metric(name, "");
-    if (metric.needs_baseline && score.baseline.empty()) {
-      score.metrics[name] = MetricValue::undefined("there is no baseline");
-      continue;
-    }
-    score.metrics[name] =
-        metric.compute({score.reference, score.image, score.baseline.empty() ? nullptr : &score.baseline,
-                        mask.empty() ? nullptr : &mask});
-  }
+  std::optional<Image8> ambient_fit;
+  if (needs_ambient_fit(request.metrics) && !request.baseline.empty() && !request.baseline_albedo.empty())
+    ambient_fit = fit_ambient(read_float_image(request.baseline), read_float_image(request.baseline_albedo),
+                              score.reference)
+                      .image;
+  score.metrics = compute_metrics(
+      request.metrics, {score.reference, score.image, score.baseline.empty() ? nullptr : &score.baseline,
+                        mask.empty() ? nullptr : &mask, ambient_fit ? &*ambient_fit : nullptr});
   return score;
 }
 

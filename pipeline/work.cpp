@@ -171,6 +171,9 @@ TaskResult TaskWorker::Impl::score(const Task& task) {
   request.image = exr(variant);
   request.reference = exr(reference);
   if (!job().baseline.empty()) request.baseline = exr(job().baseline);
+  if (!baseline_albedo(job()).empty())
+    request.baseline_albedo =
+        file(buffer_stem(job(), task.scene, task.view, job().baseline, baseline_albedo(job())) + ".exr");
   request.metrics = job().metrics;
   const auto start = std::chrono::steady_clock::now();
   const Score score = compute_score(request);

@@ -55,7 +55,8 @@ std::vector<std::string> chosen_metrics(const CompareOptions& options) {
   if (!options.metrics.empty()) return options.metrics;
   std::vector<std::string> names;
   for (const Metric& metric : metrics())
-    if (!metric.needs_baseline || !options.baseline.empty()) names.push_back(metric.name);
+    if (!metric.needs_ambient_fit && (!metric.needs_baseline || !options.baseline.empty()))
+      names.push_back(metric.name);
   return names;
 }
 

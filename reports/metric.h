@@ -17,6 +17,7 @@ struct MetricInput {
   const Image8& image;
   const Image8* baseline = nullptr;                 ///< for metrics with needs_baseline
   const std::vector<std::uint8_t>* mask = nullptr;  ///< one byte a pixel, non-zero counts; for masked metrics
+  const Image8* ambient_fit = nullptr;              ///< for metrics with needs_ambient_fit
 };
 
 /// A number, or the reason why there is none. An undefined value never passes a gate.
@@ -43,6 +44,8 @@ struct Metric {
   std::string unit;  ///< "of 255", "%", "" ...
   Better better = Better::lower;
   bool needs_baseline = false;
+  bool needs_ambient_fit =
+      false;            ///< of the baseline's light and albedo; such metrics are computed on request only
   bool masked = false;  ///< computed over the mask's pixels where one is given
   NoiseUnit noise_unit = NoiseUnit::none;
   int version = 1;   ///< goes up whenever the same images may give another number
@@ -51,6 +54,9 @@ struct Metric {
 };
 
 std::span<const Metric> metrics();
+/// The names of those that are computed unless others are asked for.
+std::vector<std::string> default_metrics();
+bool needs_ambient_fit(const std::vector<std::string>& metrics);
 /// Throws Error(..., where) for an unknown name, with the nearest known one.
 const Metric& find_metric(const std::string& name, const std::string& where);
 

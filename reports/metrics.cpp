@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -8,6 +9,7 @@
 #include "reports/metrics/luminance_error.h"
 #include "reports/metrics/luv.h"
 #include "reports/metrics/mean_error.h"
+#include "reports/metrics/over_ambient.h"
 #include "reports/metrics/pearson.h"
 #include "reports/metrics/quality.h"
 #include "reports/metrics/rmse.h"
@@ -88,8 +90,39 @@ std::span<const Metric> metrics() {
        .needs_baseline = true,
        .decimals = 1,
        .compute = equal_share},
+      {.name = "ambient_fit",
+       .doc = "gain of the baseline with the best constant ambient light, fitted to the reference in each "
+              "view: what a "
+              "technique has to beat",
+       .unit = "%",
+       .better = Better::neither,
+       .needs_baseline = true,
+       .needs_ambient_fit = true,
+       .decimals = 2,
+       .compute = ambient_fit_gain},
+      {.name = "over_ambient",
+       .doc =
+           "by how much the mean error is below that of the best constant ambient light, in percent of that",
+       .unit = "%",
+       .better = Better::higher,
+       .needs_baseline = true,
+       .needs_ambient_fit = true,
+       .decimals = 2,
+       .compute = over_ambient},
   };
   return table;
+}
+
+std::vector<std::string> default_metrics() {
+  std::vector<std::string> names;
+  for (const Metric& metric : metrics())
+    if (!metric.needs_ambient_fit) names.push_back(metric.name);
+  return names;
+}
+
+bool needs_ambient_fit(const std::vector<std::string>& metrics) {
+  return std::any_of(metrics.begin(), metrics.end(),
+                     [](const std::string& name) { return find_metric(name, "").needs_ambient_fit; });
 }
 
 const Metric& find_metric(const std::string& name, const std::string& where) {
@@ -101,6 +134,17 @@ const Metric& find_metric(const std::string& name, const std::string& where) {
   throw Error("unknown metric '" + name + "'" + did_you_mean(name, known), where);
 }
 
+namespace {
+
+MetricValue compute(const Metric& metric, const MetricInput& input) {
+  if (metric.needs_baseline && !input.baseline) return MetricValue::undefined("there is no baseline");
+  if (metric.needs_ambient_fit && !input.ambient_fit)
+    return MetricValue::undefined("the baseline's albedo is not known");
+  return metric.compute(input);
+}
+
+}  // namespace
+
 std::map<std::string, MetricValue> compute_metrics(const std::vector<std::string>& names,
                                                    const MetricInput& input) {
   check_pair(input.reference, input.image, "the reference", "the image");
@@ -111,9 +155,7 @@ std::map<std::string, MetricValue> compute_metrics(const std::vector<std::string
   std::map<std::string, MetricValue> values;
   for (const std::string& name : names) {
     const Metric& metric = find_metric(name, "");
-    MetricValue value = metric.needs_baseline && !input.baseline
-                            ? MetricValue::undefined("there is no baseline")
-                            : metric.compute(input);
+    MetricValue value = compute(metric, input);
     if (value.value && !std::isfinite(*value.value)) value = MetricValue::undefined("not a finite number");
     values[name] = std::move(value);
   }

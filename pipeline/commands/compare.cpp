@@ -35,11 +35,16 @@ void print_scores(const Score& score, const std::vector<std::string>& names) {
 }
 
 ExitCode run_compare(const CompareParams& params) {
-  ScoreRequest request{params.image, params.reference, params.baseline, params.mask, params.metrics};
+  ScoreRequest request{.image = params.image,
+                       .reference = params.reference,
+                       .baseline = params.baseline,
+                       .mask = params.mask,
+                       .metrics = params.metrics};
   for (const auto& name : params.metrics) find_metric(name, "--metric");
   if (request.metrics.empty())
     for (const auto& metric : metrics())
-      if (!metric.needs_baseline || !params.baseline.empty()) request.metrics.push_back(metric.name);
+      if (!metric.needs_ambient_fit && (!metric.needs_baseline || !params.baseline.empty()))
+        request.metrics.push_back(metric.name);
   request.use_reference_alpha = false;
   const Score score = compute_score(request);
   if (params.json)
