@@ -308,7 +308,8 @@ Technique isr_technique() {
   Technique technique;
   technique.name = "isr";
   technique.doc =
-      "direct lighting and one bounce of indirect light gathered in screen space (image-space radiosity)";
+      "direct lighting and indirect light gathered from what the camera sees, or all around it (image-space "
+      "radiosity)";
   technique.params = isr_params();
   technique.presets = isr_presets();
   technique.buffers = direct_buffers();

@@ -4,8 +4,8 @@
 
 namespace lightbench {
 
-/// Image-space radiosity: one bounce of indirect light gathered in screen space from the lit picture itself,
-/// and ambient occlusion, after sections 4.2 to 4.5 of the image-space radiosity thesis.
+/// Image-space radiosity: indirect light gathered in screen space from the lit picture itself, and ambient
+/// occlusion, after sections 4.2 to 4.5 of the image-space radiosity thesis.
 ///
 /// Weighting `paper` is its eq. 25 as printed. Weighting `area` (default) gives the same sum its physical
 /// scale: the indirect light of a white surface at P is (1/pi) times the sum over samples X of L_X cos_P
@@ -14,7 +14,7 @@ namespace lightbench {
 /// with unit length along the camera's axis. The samples lie densely around P and thinly far off, in
 /// proportion to what a share there can contribute, so that no weight needs to be bounded and the sum stays
 /// without bias. What the camera does not see is not gathered, and what stands between P and X is not looked
-/// for.
+/// for: that is what visibility `bitmask` is for (isr_slices.h).
 Technique isr_technique();
 
 }  // namespace lightbench
