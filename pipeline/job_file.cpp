@@ -146,7 +146,7 @@ void read_scoring(JsonObject& object, Job& job) {
     job.primary_reference = primary->choice(row_names(std::span(job.references)));
   job.metrics = default_metrics();
   if (const auto chosen = object.find("metrics"))
-    job.metrics = read_names(*chosen, job.metrics, "the metric");
+    job.metrics = read_names(*chosen, row_names(metrics()), "the metric");
   if (const auto gates = object.find("gates"))
     for (const auto& item : gates->items()) {
       if (job.references.empty()) item.fail("a gate needs a reference in the job");

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "job_fixture.h"
+#include "pipeline/plan.h"
 
 namespace lightbench {
 namespace {
@@ -31,6 +32,19 @@ TEST(JobFile, SaysWhatStandsInIt) {
   EXPECT_EQ(views_of(job.scenes[0])[1].name, "b");
   EXPECT_EQ(job.variants[1].technique, "ambient");
   EXPECT_THAT(job.metrics, ElementsAre("mean_error", "gain"));
+}
+
+TEST(JobFile, MetricsOfFittedAmbientLightAreTakenOnRequest) {
+  const auto text = replaced(kJobText, R"("gain"])", R"("gain", "over_ambient"])");
+  const Job job = parse_job(text, "/jobs/job.json");
+  EXPECT_THAT(job.metrics, ElementsAre("mean_error", "gain", "over_ambient"));
+  // They need a buffer of the baseline, and of that alone.
+  EXPECT_THAT(variant_buffers(job, job.variants[0]), ElementsAre("albedo"));
+  EXPECT_THAT(variant_buffers(job, job.variants[1]), ElementsAre());
+  const auto all = replaced(kJobText, R"(,
+  "metrics": ["mean_error", "gain"])",
+                            "");
+  EXPECT_THAT(parse_job(all, "/jobs/job.json").metrics, testing::Not(testing::Contains("over_ambient")));
 }
 
 TEST(JobFile, DefaultsAreFilledIn) {
