@@ -182,6 +182,8 @@ CoarseLight gather(const Isr& isr, const CoarseScene& coarse) {
 CoarseLight gather_with_visibility(const Isr& isr, const CoarseScene& coarse,
                                    const Surroundings& surroundings) {
   CoarseLight light = make_light(isr);
+  // Visibility is in the light itself: there is no ambient occlusion beside it.
+  if (light.openness) Framebuffer({&*light.openness}).clear_color(0, 1, 1, 1, 1);
   coarse.patches.bind(kPatchUnit);
   coarse.normals.bind(kNormalUnit);
   gather_slices(isr.frame, isr.params, surroundings, Framebuffer({&light.indirect}));

@@ -125,7 +125,9 @@ std::vector<ParamSpec> isr_params() {
              "of the kernel of eq. 26, the ambient occlusion, in widths of the image"),
       number("occluder_radius", 2.0, 0.01, 1000.0, "of a sample's sphere in eq. 26, in pixels at its depth"),
       number("k_isr", 1.0, 0.0, 1000.0, "factor of the indirect light in eq. 29"),
-      number("k_ssao", 0.0, 0.0, 1.0, "power of the ambient occlusion over direct light in eq. 29"),
+      number("k_ssao", 0.0, 0.0, 1.0,
+             "power of the ambient occlusion over direct light in eq. 29; without effect where visibility is "
+             "bitmask"),
       choice("normals", {"octahedral16", "rgb8"}, "how the G-buffer keeps normals; rgb8: eq. 22"),
       boolean("direct", true, "show direct light too; else indirect light alone, over black"),
   };
