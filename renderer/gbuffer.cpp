@@ -22,6 +22,12 @@ struct FrameBlock {
 };
 static_assert(sizeof(FrameBlock) == 7 * 16 + 64);
 
+void clear(const Framebuffer& target, const glm::vec3& background) {
+  for (int attachment = 0; attachment < 5; ++attachment) target.clear_color(attachment, 0, 0, 0, 0);
+  target.clear_color(5, background.r, background.g, background.b, 0);
+  target.clear_depth_stencil(0, 0);
+}
+
 }  // namespace
 
 Buffer camera_block(const FrameCamera& camera, int width, int height) {
@@ -60,16 +66,6 @@ Framebuffer surface_target(const GBuffer& g) {
   return Framebuffer({&g.albedo, &g.normal, &g.depth, &g.specular, &g.geometric_normal, &g.emission},
                      &g.depth_stencil);
 }
-
-namespace {
-
-void clear(const Framebuffer& target, const glm::vec3& background) {
-  for (int attachment = 0; attachment < 5; ++attachment) target.clear_color(attachment, 0, 0, 0, 0);
-  target.clear_color(5, background.r, background.g, background.b, 0);
-  target.clear_depth_stencil(0, 0);
-}
-
-}  // namespace
 
 // Nearer is greater in reversed depth.
 void set_surface_state() {

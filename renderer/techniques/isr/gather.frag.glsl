@@ -1,5 +1,6 @@
 // Gathers indirect light, and optionally occlusion, for each patch from the patches around it on the screen.
 #include "techniques/isr/coarse.glsl"
+#include "techniques/isr/dither.glsl"
 
 const int kMaxSamples = 1024;  // also in isr_kernel.h
 
@@ -31,22 +32,10 @@ const float kSmallestSquare = 1e-30;
 // How the kernel is turned, and scaled, at a patch: a complex factor of its offsets.
 vec2 kernel_turn(ivec2 pixel) {
 #if defined(ROTATION_RANDOM)
-  uint h = uint(pixel.x) * 0x8da6b343u + uint(pixel.y) * 0xd8163841u;
-  h = (h ^ (h >> 15)) * 0x2c1b3c6du;
-  h = (h ^ (h >> 12)) * 0x297a2d39u;
-  h ^= h >> 15;
-  float angle = float(h >> 8) * (kTwoPi / 16777216.0);
+  float angle = float(pixel_hash(pixel) >> 8) * (kTwoPi / 16777216.0);
   return vec2(cos(angle), sin(angle));
 #elif defined(ROTATION_TILED)
-  // Ordered dithering: the bits of x ^ y and y, interleaved and reversed.
-  uint x = uint(pixel.x ^ pixel.y) & 7u;
-  uint y = uint(pixel.y) & 7u;
-  uint n = 0u;
-  for (int bit = 0; bit < 3; ++bit) {
-    n = (n << 2) | ((x & 1u) << 1) | (y & 1u);
-    x >>= 1;
-    y >>= 1;
-  }
+  uint n = tiled_order(pixel);
   float angle = float(n) * (kTwoPi / 64.0);
   float scale = 1.0 + 0.08 * (fract(float(n) * 0.61803399) - 0.5);
   return scale * vec2(cos(angle), sin(angle));

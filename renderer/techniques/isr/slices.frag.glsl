@@ -6,6 +6,7 @@
 // hides what has a larger one.
 #include "shaders/frame.glsl"
 #include "shaders/tiles.glsl"
+#include "techniques/isr/dither.glsl"
 #include "techniques/isr/surfel.glsl"
 
 layout(binding = 8) uniform sampler2D coarse_normals;  // shading normals of the patches, octahedral
@@ -107,7 +108,6 @@ vec4 search(Receiver r, vec3 across, Sectors sectors, float jitter, float dither
   float rows = eye_up.w;
   int layers = int(eye_forward.w);
   vec2 before = vec2(1.0, 0.0);  // cosine and sine of T where the step begins
-  float place_before = 1.0;      // of a point at infinity there
   for (int i = 0; i <= steps; ++i) {
     float share = min((float(i) + jitter) / float(steps), 1.0);
     float angle_after = kPi * pow(share, step_exponent);
@@ -196,13 +196,6 @@ vec4 gather(Receiver r, vec3 normal, float turn, float jitter, float dither) {
   return weights > 0.0 ? sum / weights : vec4(0.0);
 }
 
-uint hash(uvec2 at) {
-  uint h = at.x * 0x8da6b343u + at.y * 0xd8163841u;
-  h = (h ^ (h >> 15)) * 0x2c1b3c6du;
-  h = (h ^ (h >> 12)) * 0x297a2d39u;
-  return h ^ (h >> 15);
-}
-
 float unit(uint bits) { return (float(bits >> 8) + 0.5) / 16777216.0; }
 
 #ifdef SURFEL_RECEIVERS
@@ -224,25 +217,12 @@ void main() {
   if (receiver.w == kNoPatch) return;
   vec3 normal = unpack_normal(receiver.w);
   Receiver r = receiver_at(receiver.xyz);
-  uint h = hash(uvec2(pixel));
+  uint h = pixel_hash(pixel);
   float turn = unit(h), jitter = unit(h * 0x9e3779b9u), dither = unit(h * 0x85ebca6bu);
   front = filled(gather(r, normal, turn, jitter, dither));
   back = filled(gather(r, -normal, turn, jitter, dither));
 }
 #else
-// Which of 64 turns of the slices a patch takes: ordered dithering, the bits of x ^ y and y, interleaved and reversed.
-float tiled_turn(ivec2 pixel) {
-  uint x = uint(pixel.x ^ pixel.y) & 7u;
-  uint y = uint(pixel.y) & 7u;
-  uint n = 0u;
-  for (int bit = 0; bit < 3; ++bit) {
-    n = (n << 2) | ((x & 1u) << 1) | (y & 1u);
-    x >>= 1;
-    y >>= 1;
-  }
-  return (float(n) + 0.5) / 64.0;
-}
-
 void main() {
   indirect = vec4(0.0);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -251,7 +231,7 @@ void main() {
   vec3 normal = decode_octahedral(texelFetch(coarse_normals, pixel, 0).xy);
   mat3 eye = transpose(mat3(eye_right.xyz, eye_up.xyz, eye_forward.xyz));
   Receiver r = receiver_at(eye * patch_.xyz);
-  float turn = tiled_turn(pixel);
-  indirect = gather(r, eye * normal, turn, fract(turn * 64.0 * 0.61803399), fract(turn * 64.0 * 0.75487767));
+  float n = float(tiled_order(pixel)) + 0.5;
+  indirect = gather(r, eye * normal, n / 64.0, fract(n * 0.61803399), fract(n * 0.75487767));
 }
 #endif
