@@ -29,7 +29,7 @@ struct TileBlock {
   glm::vec4 eye_forward;
   glm::vec4 wide_view;
 };
-static_assert(sizeof(TileBlock) == 16 * (3 * kMaxTiles + 4));
+static_assert(sizeof(TileBlock) == 16 * std::size_t{3 * kMaxTiles + 4});
 
 struct Tile {
   FrameCamera camera;

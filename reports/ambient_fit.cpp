@@ -29,7 +29,8 @@ struct Samples {
     std::uint64_t sum = 0;
     for (std::size_t i = 0; i < direct.size(); ++i) {
       const float value = std::clamp(direct[i] + albedo[i] * float(irradiance), 0.0f, 1.0f);
-      sum += std::uint64_t(std::abs(int(encoded[std::size_t(value * 65535.0f + 0.5f)]) - int(reference[i])));
+      sum += std::uint64_t(
+          std::abs(int(encoded[std::size_t(std::lround(value * 65535.0f))]) - int(reference[i])));
     }
     return sum;
   }
@@ -52,14 +53,16 @@ Samples samples_of(const Image& direct, const Image& albedo, const Image8& refer
 double best_irradiance(const Samples& samples) {
   constexpr double kSmallest = 1e-4;
   constexpr double kFactor = 1.25;
-  constexpr int kPowers = 60;  // up to 65
+  constexpr int kPowers = 60;   // up to 65
+  constexpr int kHalvings = 7;  // down to a step of 0.2 %
   double best = 0;
   std::uint64_t least = samples.error(0);
   for (int i = 0; i < kPowers; ++i) {
     const double candidate = kSmallest * std::pow(kFactor, i);
     if (const std::uint64_t error = samples.error(candidate); error < least) least = error, best = candidate;
   }
-  for (double step = (kFactor - 1) / 2; step > 1e-3; step /= 2)
+  double step = (kFactor - 1) / 2;
+  for (int halvings = 0; halvings < kHalvings; ++halvings, step /= 2)
     for (const double candidate : {best * (1 - step), best * (1 + step)})
       if (const std::uint64_t error = samples.error(candidate); error < least)
         least = error, best = candidate;
