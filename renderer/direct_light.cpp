@@ -48,8 +48,16 @@ GlTexture copy_of(const GlTexture& source) {
   return copy;
 }
 
-Framebuffer target_of(const DirectLight& light, const DirectLightOutputs& outputs, const GBuffer& gbuffer) {
-  const GlTexture* depth = &gbuffer.depth_stencil;
+// A picture while light after light is added to it.
+struct Lighting {
+  LitPicture picture;
+  DirectLight light;
+  Framebuffer target;
+};
+
+Framebuffer target_of(const DirectLight& light, const LitPicture& picture) {
+  const DirectLightOutputs& outputs = picture.outputs;
+  const GlTexture* depth = &picture.gbuffer.depth_stencil;
   if (outputs.back_irradiance)
     return Framebuffer({&light.lit, &light.irradiance, &light.back_irradiance}, depth);
   if (outputs.irradiance && outputs.visibility)
@@ -59,8 +67,21 @@ Framebuffer target_of(const DirectLight& light, const DirectLightOutputs& output
   return Framebuffer({&light.lit}, depth);
 }
 
-const Program& light_program(FrameContext& frame, const GBuffer& gbuffer, const Light& light, ShadowMode mode,
-                             const DirectLightOutputs& outputs) {
+Lighting start_lighting(const LitPicture& picture) {
+  const auto& [gbuffer, outputs] = picture;
+  assert(!outputs.back_irradiance || (outputs.irradiance && !outputs.visibility));
+  DirectLight light;
+  light.lit = copy_of(gbuffer.emission);
+  if (outputs.irradiance) light.irradiance = cleared(TexelFormat::rgba32f, gbuffer, 0);
+  if (outputs.back_irradiance) light.back_irradiance = cleared(TexelFormat::rgba32f, gbuffer, 0);
+  if (outputs.visibility) light.visibility = cleared(TexelFormat::r32f, gbuffer, 1);
+  Framebuffer target = target_of(light, picture);
+  return {picture, std::move(light), std::move(target)};
+}
+
+const Program& light_program(FrameContext& frame, const LitPicture& picture, const Light& light,
+                             ShadowMode mode) {
+  const auto& [gbuffer, outputs] = picture;
   ShaderDefines defines = gbuffer_defines(gbuffer);
   defines.emplace_back(row(mode).define);
   for (const std::string& define : projection_defines(shadow_projection(light))) defines.push_back(define);
@@ -73,24 +94,29 @@ const Program& light_program(FrameContext& frame, const GBuffer& gbuffer, const 
   return frame.fullscreen_program("shaders/direct.frag.glsl", defines);
 }
 
+void light_picture(FrameContext& frame, const Lighting& lighting, const Light& light,
+                   const ShadowOptions& shadows) {
+  lighting.picture.gbuffer.bind();
+  const Program& program = light_program(frame, lighting.picture, light, shadows.mode);
+  program.set("shadow_bias", shadows.bias);
+  program.set("esm_sharpness", shadows.esm_sharpness);
+  program.set("pcf_radius", shadows.pcf_radius);
+  frame.draw_fullscreen(lighting.target, program, Blend::add, DrawOn::objects);
+}
+
 // Adds a light without extent, which makes that share of the mean visibility.
-void add_light(FrameContext& frame, const GBuffer& gbuffer, const Light& light, float share,
-               const ShadowOptions& shadows, const DirectLightOutputs& outputs, const Framebuffer& target) {
+void add_light(FrameContext& frame, std::span<const LitPicture> pictures,
+               const std::vector<Lighting>& lightings, const Light& light, float share,
+               const ShadowOptions& shadows) {
   LightBlock block = light_block(light, share);
-  const bool shadowed = shadows.mode != ShadowMode::none;
-  if (shadowed)
+  if (shadows.mode != ShadowMode::none)
     frame.pass("shadow map", [&] {
-      draw_shadow_map(frame, gbuffer, light, shadows, frame.shadow_textures(), block).bind(8);
+      draw_shadow_map(frame, pictures, light, shadows, frame.shadow_textures(), block).bind(8);
     });
   frame.pass("direct", [&] {
     const Buffer buffer(&block, sizeof block);
     buffer.bind_uniform(1);
-    gbuffer.bind();
-    const Program& program = light_program(frame, gbuffer, light, shadows.mode, outputs);
-    program.set("shadow_bias", shadows.bias);
-    program.set("esm_sharpness", shadows.esm_sharpness);
-    program.set("pcf_radius", shadows.pcf_radius);
-    frame.draw_fullscreen(target, program, Blend::add, DrawOn::objects);
+    for (const Lighting& lighting : lightings) light_picture(frame, lighting, light, shadows);
   });
 }
 
@@ -188,22 +214,25 @@ ShadowOptions shadow_options(const ParamValues& params) {
   return options;
 }
 
-DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const ShadowOptions& shadows,
-                              const DirectLightOutputs& outputs) {
-  assert(!outputs.back_irradiance || (outputs.irradiance && !outputs.visibility));
-  DirectLight result;
-  result.lit = copy_of(gbuffer.emission);
-  if (outputs.irradiance) result.irradiance = cleared(TexelFormat::rgba32f, gbuffer, 0);
-  if (outputs.back_irradiance) result.back_irradiance = cleared(TexelFormat::rgba32f, gbuffer, 0);
-  if (outputs.visibility) result.visibility = cleared(TexelFormat::r32f, gbuffer, 1);
-  const Framebuffer target = target_of(result, outputs, gbuffer);
+std::vector<DirectLight> draw_direct_light(FrameContext& frame, std::span<const LitPicture> pictures,
+                                           const ShadowOptions& shadows) {
+  std::vector<Lighting> lightings;
+  for (const LitPicture& picture : pictures) lightings.push_back(start_lighting(picture));
   const std::vector<Light>& lights = frame.scene().lights;
   for (const Light& light : lights) {
     const std::vector<Light> points = light_points(light);
     const float share = 1.0f / float(lights.size() * points.size());
-    for (const Light& point : points) add_light(frame, gbuffer, point, share, shadows, outputs, target);
+    for (const Light& point : points) add_light(frame, pictures, lightings, point, share, shadows);
   }
-  return result;
+  std::vector<DirectLight> results;
+  for (Lighting& lighting : lightings) results.push_back(std::move(lighting.light));
+  return results;
+}
+
+DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const ShadowOptions& shadows,
+                              const DirectLightOutputs& outputs) {
+  const LitPicture picture{gbuffer, outputs};
+  return std::move(draw_direct_light(frame, {&picture, 1}, shadows).front());
 }
 
 glm::vec3 mean_irradiance(FrameContext& frame, const GBuffer& gbuffer, const GlTexture& irradiance) {

@@ -57,8 +57,17 @@ struct DirectLight {
   GlTexture visibility;
 };
 
-/// Lights a G-buffer, light after light; an area light point after point, each with a shadow map of its own.
-/// Timed as the passes "shadow map" and "direct" (sums over the lights).
+/// What is lit, and what for.
+struct LitPicture {
+  const GBuffer& gbuffer;
+  DirectLightOutputs outputs;
+};
+
+/// Lights G-buffers, light after light; an area light point after point, each with a shadow map of its own
+/// that serves all pictures. Timed as the passes "shadow map" and "direct" (sums over the lights).
+std::vector<DirectLight> draw_direct_light(FrameContext& frame, std::span<const LitPicture> pictures,
+                                           const ShadowOptions& shadows);
+/// The same for one.
 DirectLight draw_direct_light(FrameContext& frame, const GBuffer& gbuffer, const ShadowOptions& shadows,
                               const DirectLightOutputs& outputs = {});
 

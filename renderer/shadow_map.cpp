@@ -32,20 +32,28 @@ int view_count(ShadowProjection projection, const ShadowOptions& options) {
   return projection == ShadowProjection::orthographic && options.mode != ShadowMode::esm ? options.slices : 1;
 }
 
-void slice_seen_depths(FrameContext& frame, const GBuffer& gbuffer, int count, LightBlock& block) {
+// Eye-space z / far.
+void widen_depths(FrameContext& frame, const GBuffer& gbuffer, glm::vec2& range) {
   const GlTexture blocks(TexelFormat::rg32f, blocks_along(gbuffer.width), blocks_along(gbuffer.height));
   const Program& program = frame.fullscreen_program("shaders/depth_range.frag.glsl");
   program.set("block_size", kMeasuredBlock);
+  gbuffer.bind();
   frame.draw_fullscreen(Framebuffer({&blocks}), program);
   const Image ranges = read_back(blocks, 2);
-  glm::vec2 range(1e30f, -1e30f);
   for (std::size_t i = 0; i < ranges.data.size(); i += 2)
     range = glm::vec2(std::min(range.x, ranges.data[i]), std::max(range.y, ranges.data[i + 1]));
+}
+
+void slice_seen_depths(FrameContext& frame, std::span<const LitPicture> seen_by, int count,
+                       LightBlock& block) {
+  glm::vec2 range(1e30f, -1e30f);
+  for (const LitPicture& picture : seen_by) widen_depths(frame, picture.gbuffer, range);
   if (range.x <= range.y) slice_depths(block, range.x, range.y, count);
 }
 
 // Measured in blocks on the GPU, gathered here.
-Seen measure_seen(FrameContext& frame, const GBuffer& gbuffer, ShadowProjection projection, int views) {
+void measure_seen(FrameContext& frame, const GBuffer& gbuffer, ShadowProjection projection, int views,
+                  Seen& seen) {
   const int width = blocks_along(gbuffer.width);
   const int height = blocks_along(gbuffer.height);
   std::array<GlTexture, 6> blocks;
@@ -56,8 +64,8 @@ Seen measure_seen(FrameContext& frame, const GBuffer& gbuffer, ShadowProjection 
   for (const std::string& define : projection_defines(projection)) defines.push_back(define);
   const Program& program = frame.fullscreen_program("shaders/shadow_bounds.frag.glsl", defines);
   program.set("block_size", kMeasuredBlock);
+  gbuffer.bind();
   frame.draw_fullscreen(target, program);
-  Seen seen;
   for (int view = 0; view < views; ++view) {
     const Image values = read_back(blocks[std::size_t(view)], 4);
     ViewExtent& extent = seen.views[std::size_t(view)];
@@ -71,7 +79,6 @@ Seen measure_seen(FrameContext& frame, const GBuffer& gbuffer, ShadowProjection 
     seen.nearest = std::min(seen.nearest, ranges.data[i]);
     seen.farthest = std::max(seen.farthest, ranges.data[i + 1]);
   }
-  return seen;
 }
 
 // The range over which exponential maps count depths from 0 to 1: the size of the lit space that is seen.
@@ -149,7 +156,7 @@ void blur_in_log_space(FrameContext& frame, const ShadowOptions& options, Shadow
 
 }  // namespace
 
-const GlTexture& draw_shadow_map(FrameContext& frame, const GBuffer& gbuffer, const Light& light,
+const GlTexture& draw_shadow_map(FrameContext& frame, std::span<const LitPicture> seen_by, const Light& light,
                                  const ShadowOptions& options, ShadowTextures& textures, LightBlock& block) {
   const ShadowProjection projection = shadow_projection(light);
   const int views = view_count(projection, options);
@@ -158,11 +165,11 @@ const GlTexture& draw_shadow_map(FrameContext& frame, const GBuffer& gbuffer, co
   place_shadow_views(block, light, frame.gpu_scene().bounds());
   block.shadow_extent.x = float(size);
   block.shadow_extent.y = 1.0f / float(size);
-  gbuffer.bind();
-  if (projection == ShadowProjection::orthographic) slice_seen_depths(frame, gbuffer, views, block);
+  if (projection == ShadowProjection::orthographic) slice_seen_depths(frame, seen_by, views, block);
   const Buffer unfitted(&block, sizeof block);
   unfitted.bind_uniform(1);
-  Seen seen = measure_seen(frame, gbuffer, projection, views);
+  Seen seen;
+  for (const LitPicture& picture : seen_by) measure_seen(frame, picture.gbuffer, projection, views, seen);
   if (projection == ShadowProjection::perspective) clip_to_cone(seen.views[0], light);
   const float least = 1e-5f * (projection == ShadowProjection::orthographic ? block.shadow_origin.w : 1.0f);
   for (int view = 0; view < views; ++view)

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -76,9 +77,9 @@ struct ShadowTextures {
   std::array<Maps, 3> of_projection;
 };
 
-/// Draws the shadow map of a light as the G-buffer's camera needs it, and completes the block.
-/// Returns the texture that shaders/shadow.glsl reads.
-const GlTexture& draw_shadow_map(FrameContext& frame, const GBuffer& gbuffer, const Light& light,
+/// Draws the shadow map of a light as it needs to be for what any of the G-buffers shows, and completes the
+/// block. Returns the texture that shaders/shadow.glsl reads.
+const GlTexture& draw_shadow_map(FrameContext& frame, std::span<const LitPicture> seen_by, const Light& light,
                                  const ShadowOptions& options, ShadowTextures& textures, LightBlock& block);
 
 }  // namespace lightbench
