@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <glm/gtc/constants.hpp>
@@ -261,6 +262,29 @@ ShaderDefines all_defines(const GBuffer& gbuffer, const ParamValues& params, boo
   return defines;
 }
 
+/// Direct light of the frame and, where there are any, of its surroundings.
+struct Lit {
+  DirectLight frame;
+  DirectLight surroundings;
+};
+
+Lit light_all(FrameContext& frame, const ParamValues& params, const GBuffer& gbuffer,
+              const std::optional<Surroundings>& surroundings) {
+  DirectLightOutputs outputs = wanted_outputs(frame);
+  outputs.irradiance = outputs.irradiance || params.text("source") == "diffuse";
+  std::vector<LitPicture> pictures{{gbuffer, outputs}};
+  if (surroundings) pictures.push_back(lit_picture(*surroundings));
+  const ShadowOptions shadows = shadow_options(params);
+  const std::size_t together = params.boolean("shared_shadows") ? pictures.size() : 1;
+  std::vector<DirectLight> lights;
+  for (std::size_t i = 0; i < pictures.size(); i += together)
+    for (DirectLight& light : draw_direct_light(frame, std::span(pictures).subspan(i, together), shadows))
+      lights.push_back(std::move(light));
+  Lit lit{std::move(lights.front()), {}};
+  if (surroundings) lit.surroundings = std::move(lights.back());
+  return lit;
+}
+
 void render_isr(FrameContext& frame, const ParamValues& params) {
   GBuffer gbuffer;
   frame.pass("g-buffer", [&] {
@@ -268,14 +292,14 @@ void render_isr(FrameContext& frame, const ParamValues& params) {
     if (params.text("normals") == "rgb8") options.normals = NormalFormat::rgb8;
     gbuffer = draw_gbuffer(frame, frame.camera(), frame.width(), frame.height(), options);
   });
-  DirectLightOutputs outputs = wanted_outputs(frame);
-  outputs.irradiance = outputs.irradiance || params.text("source") == "diffuse";
-  const DirectLight direct = draw_direct_light(frame, gbuffer, shadow_options(params), outputs);
+  std::optional<Surroundings> surroundings;
+  if (params.text("visibility") == "bitmask") surroundings = draw_surroundings(frame, params);
+  const Lit lit = light_all(frame, params, gbuffer, surroundings);
 
   const int block = params.integer("resolution");
   const glm::ivec2 coarse_size((gbuffer.width + block - 1) / block, (gbuffer.height + block - 1) / block);
   const bool occlusion = wants_occlusion(frame, params);
-  const Isr isr{frame,       params,   gbuffer, direct, all_defines(gbuffer, params, occlusion),
+  const Isr isr{frame,       params,   gbuffer, lit.frame, all_defines(gbuffer, params, occlusion),
                 coarse_size, occlusion};
   CoarseScene coarse;
   CoarseLight light;
@@ -283,9 +307,9 @@ void render_isr(FrameContext& frame, const ParamValues& params) {
     coarse = downsample(isr);
     reduce(isr, coarse);
   });
-  if (isr.is("visibility", "bitmask")) {
-    const Surroundings surroundings = draw_surroundings(frame, params);
-    frame.pass("gather", [&] { light = gather_with_visibility(isr, coarse, surroundings); });
+  if (surroundings) {
+    light_surroundings(frame, params, lit.surroundings, params.integer("bounces"), *surroundings);
+    frame.pass("gather", [&] { light = gather_with_visibility(isr, coarse, *surroundings); });
   } else {
     frame.pass("gather", [&] { light = gather(isr, coarse); });
   }
@@ -294,7 +318,7 @@ void render_isr(FrameContext& frame, const ParamValues& params) {
     fill_unknown(isr, light);
   });
   compose(isr, coarse, light);
-  keep_direct_buffers(frame, gbuffer, direct);
+  keep_direct_buffers(frame, gbuffer, lit.frame);
 }
 
 std::vector<std::string> unsupported(const Scene&, const ParamValues& params) {

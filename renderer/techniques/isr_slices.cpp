@@ -7,8 +7,7 @@ namespace {
 
 constexpr unsigned kPatchUnit = 6;  // of techniques/isr/*.glsl
 constexpr unsigned kSurfelUnit = 9;
-constexpr unsigned kFrontUnit = 10;
-constexpr unsigned kBackUnit = 11;
+constexpr unsigned kRadianceUnit = 10;
 
 SurroundOptions surround_options(const FrameContext& frame, const ParamValues& params) {
   SurroundOptions options;
@@ -22,14 +21,9 @@ SurroundOptions surround_options(const FrameContext& frame, const ParamValues& p
   return options;
 }
 
-/// Both sides' textures of an image of the surround's size.
-struct Sides {
-  GlTexture front;
-  GlTexture back;
-};
-
-Sides make_sides(int width, int height) {
-  return {GlTexture(TexelFormat::rgba16f, width, height), GlTexture(TexelFormat::rgba16f, width, height)};
+/// A texture for both sides of the surfaces of a picture, one above the other.
+GlTexture make_sides(int width, int height) {
+  return GlTexture(TexelFormat::rgba16f, width, 2 * height);
 }
 
 GlTexture make_surfels(FrameContext& frame, const GBuffer& g) {
@@ -53,23 +47,22 @@ GlTexture make_receivers(FrameContext& frame, const Surroundings& of, int block)
 }
 
 /// `indirect` is of blocks of texels, whose receivers are bound as patches.
-Sides make_radiance(FrameContext& frame, const Surroundings& of, const DirectLight& direct,
-                    const Sides* indirect, int block) {
+GlTexture make_radiance(FrameContext& frame, const Surroundings& of, const DirectLight& direct,
+                        const GlTexture* indirect, int block) {
   const GBuffer& g = of.gbuffer;
-  Sides radiance = make_sides(g.width, g.height);
+  GlTexture radiance = make_sides(g.width, g.height);
   ShaderDefines defines = gbuffer_defines(g);
   if (indirect) defines.emplace_back("WITH_INDIRECT");
   g.bind();
   direct.irradiance.bind(9);
   direct.back_irradiance.bind(10);
   if (indirect) {
-    indirect->front.bind(11);
-    indirect->back.bind(12);
-    of.surfels.bind(13);
+    indirect->bind(11);
+    of.surfels.bind(12);
   }
   const Program& program = frame.fullscreen_program("techniques/isr/radiance.frag.glsl", defines);
   program.set("block", block);
-  frame.draw_fullscreen(Framebuffer({&radiance.front, &radiance.back}), program);
+  frame.draw_fullscreen(Framebuffer({&radiance}), program);
   return radiance;
 }
 
@@ -84,6 +77,7 @@ void draw_slices(FrameContext& frame, const ParamValues& params, const Surroundi
   const float thickness = float(params.number("thickness"));
   if (thickness > 0) defines.emplace_back("THICKNESS");
   if (params.text("unknown") == "ambient") defines.emplace_back("UNKNOWN_AMBIENT");
+  if (params.number("step_exponent") == 2) defines.emplace_back("STEPS_SQUARED");
   const Program& program = frame.fullscreen_program("techniques/isr/slices.frag.glsl", defines);
   program.set("slices", effort.slices);
   program.set("steps", effort.steps);
@@ -95,8 +89,7 @@ void draw_slices(FrameContext& frame, const ParamValues& params, const Surroundi
   from.gbuffer.camera_block.bind_uniform(0);
   from.gbuffer.tile_block.bind_uniform(2);
   from.surfels.bind(kSurfelUnit);
-  from.front_radiance.bind(kFrontUnit);
-  from.back_radiance.bind(kBackUnit);
+  from.radiance.bind(kRadianceUnit);
   frame.draw_fullscreen(target, program);
 }
 
@@ -108,27 +101,27 @@ Surroundings draw_surroundings(FrameContext& frame, const ParamValues& params) {
     result.gbuffer = draw_surround(frame, surround_options(frame, params));
     result.surfels = make_surfels(frame, result.gbuffer);
   });
-  DirectLightOutputs outputs;
-  outputs.irradiance = true;
-  outputs.back_irradiance = true;
-  const DirectLight direct = draw_direct_light(frame, result.gbuffer, shadow_options(params), outputs);
+  return result;
+}
+
+LitPicture lit_picture(const Surroundings& surroundings) {
+  return {surroundings.gbuffer, {.irradiance = true, .back_irradiance = true}};
+}
+
+void light_surroundings(FrameContext& frame, const ParamValues& params, const DirectLight& direct,
+                        int bounces, Surroundings& surroundings) {
   const Effort effort{params.integer("bounce_slices"), params.integer("bounce_steps")};
   frame.pass("bounces", [&] {
     const int block = params.integer("bounce_resolution");
-    const GlTexture receivers = make_receivers(frame, result, block);
+    const GlTexture receivers = make_receivers(frame, surroundings, block);
     receivers.bind(kPatchUnit);
-    Sides radiance = make_radiance(frame, result, direct, nullptr, block);
-    for (int bounce = 1;; ++bounce) {
-      result.front_radiance = std::move(radiance.front);
-      result.back_radiance = std::move(radiance.back);
-      if (bounce == params.integer("bounces")) break;
-      const Sides indirect = make_sides(receivers.width(), receivers.height());
-      draw_slices(frame, params, result, effort, {"SURFEL_RECEIVERS"},
-                  Framebuffer({&indirect.front, &indirect.back}));
-      radiance = make_radiance(frame, result, direct, &indirect, block);
+    surroundings.radiance = make_radiance(frame, surroundings, direct, nullptr, block);
+    for (int bounce = 1; bounce < bounces; ++bounce) {
+      const GlTexture indirect = make_sides(receivers.width(), receivers.height());
+      draw_slices(frame, params, surroundings, effort, {"SURFEL_RECEIVERS"}, Framebuffer({&indirect}));
+      surroundings.radiance = make_radiance(frame, surroundings, direct, &indirect, block);
     }
   });
-  return result;
 }
 
 void gather_slices(FrameContext& frame, const ParamValues& params, const Surroundings& from,

@@ -11,15 +11,20 @@ class FrameContext;
 /// What is gathered from: a surround, lit on both sides of its surfaces.
 struct Surroundings {
   GBuffer gbuffer;
-  GlTexture surfels;         ///< RGBA32F: planes of the surfaces (techniques/isr/surfels.frag.glsl)
-  GlTexture front_radiance;  ///< RGBA16F: what leaves the side that faces the camera, linear
-  GlTexture back_radiance;   ///< RGBA16F: and the other side
+  GlTexture surfels;  ///< RGBA32F: planes of the surfaces (techniques/isr/surfel.glsl)
+  /// RGBA16F, twice as high: what leaves the sides that face the camera, linear, and above it the other
+  /// sides.
+  GlTexture radiance;
 };
 
-/// Draws and lights the surroundings of the frame's camera with as many bounces as `bounces` asks for less
-/// the last one, which `gather_slices` is. Timed as the passes "surround", "shadow map", "direct" and
-/// "bounces".
+/// Draws the surroundings of the frame's camera, unlit; timed as the pass "surround".
 Surroundings draw_surroundings(FrameContext& frame, const ParamValues& params);
+/// How they must be lit directly.
+LitPicture lit_picture(const Surroundings& surroundings);
+/// Gives them their radiance with that many bounces of indirect light less the last one, which
+/// `gather_slices` is; timed as the pass "bounces".
+void light_surroundings(FrameContext& frame, const ParamValues& params, const DirectLight& direct,
+                        int bounces, Surroundings& surroundings);
 
 /// Indirect light with visibility for the patches that are bound to the units of techniques/isr/coarse.glsl
 /// and 8 (normals): RGBA16F, light of a white surface; alpha is the share of directions in which something

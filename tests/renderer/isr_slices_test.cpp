@@ -213,6 +213,19 @@ TEST(GlIsrSlices, AWiderPictureSeesMore) {
   }
 }
 
+// The maps are fitted to more, so edges of shadows move by a texel or two; the light in them does not change.
+TEST(GlIsrSlices, SharedShadowMapsShowTheSame) {
+  Scene scene = furnace();
+  add_block(scene, 0);
+  Light lamp;
+  lamp.position = {0.5f, 0.8f, 0.1f};
+  scene.lights = {lamp};
+  const auto mean = [&](bool shared) {
+    return mean_of(render_isr(scene, furnace_view(), bitmask({{"shared_shadows", shared}})).image);
+  };
+  EXPECT_NEAR(mean(true), mean(false), 2e-3 * mean(false));
+}
+
 TEST(GlIsrSlices, TheUnitOfLengthDoesNotMatter) {
   const Params params = bitmask({{"bounces", 2LL}, {"layers", 2LL}});
   Scene scene = furnace();

@@ -16,12 +16,12 @@ void main() {
   receiver = vec4(0.0, 0.0, 0.0, kNoPatch);
   for (int y = origin.y; y < end.y; ++y) {
     for (int x = origin.x; x < end.x; ++x) {
-      vec3 surfel = texelFetch(surfels, ivec2(x, y), 0).xyz;
+      vec4 surfel = texelFetch(surfels, ivec2(x, y), 0);
       ivec2 off = ivec2(x, y) - middle;
       int distance2 = off.x * off.x + off.y * off.y;
-      if (surfel.z == 0.0 || distance2 >= nearest) continue;
+      if (!is_surface(surfel) || distance2 >= nearest) continue;
       nearest = distance2;
-      receiver = vec4(surfel_position(tile_ray(ivec2(x, y)), surfel), surfel.x);
+      receiver = vec4(surfel_position(tile_ray(ivec2(x, y)), surfel), pack_normal(surfel_normal(surfel)));
     }
   }
 }

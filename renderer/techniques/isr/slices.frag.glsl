@@ -11,8 +11,7 @@
 
 layout(binding = 8) uniform sampler2D coarse_normals;  // shading normals of the patches, octahedral
 layout(binding = 9) uniform sampler2D surfels;
-layout(binding = 10) uniform sampler2D front_radiance;
-layout(binding = 11) uniform sampler2D back_radiance;
+layout(binding = 10) uniform sampler2D radiance;  // of the sides towards the camera, and above them the other sides
 
 uniform int slices;  // planes; each has two sides
 uniform int steps;   // on each side
@@ -20,12 +19,9 @@ uniform float step_exponent;
 uniform float thickness;  // of what is found, as a share of its distance from the camera
 uniform vec3 background;
 
-#ifdef SURFEL_RECEIVERS
-layout(location = 0) out vec4 front;
-layout(location = 1) out vec4 back;
-#else
-layout(location = 0) out vec4 indirect;  // of a white surface; alpha: the share of directions in which something was seen
-#endif
+// Of a white surface; alpha: the share of directions in which something was seen. SURFEL_RECEIVERS: both sides as in
+// `radiance`; alpha: what the light is worth.
+layout(location = 0) out vec4 indirect;
 
 const float kPi = 3.14159265;
 const uint kSectors = 32u;
@@ -84,6 +80,23 @@ uint sector_mask(float a, float b, float dither) {
   return (count == kSectors ? ~0u : (1u << count) - 1u) << low;
 }
 
+// Sine of half a turn's share, 0..1 (Taylor's series; off by less than 4e-6, and by no larger a share near 0).
+float quarter_sine(float u) {
+  float u2 = u * u;
+  return u * (1.57079633 + u2 * (-0.64596410 + u2 * (0.07969263 + u2 * (-0.00468175 + u2 * 0.00016044))));
+}
+
+// Cosine and sine of the angle T that a share of the steps, 0..1, reaches.
+vec2 search_angle(float share) {
+#ifdef STEPS_SQUARED
+  float u = share * share;
+#else
+  float u = pow(share, step_exponent);
+#endif
+  float s = quarter_sine(u);  // of T / 2
+  return vec2(1.0 - 2.0 * s * s, 2.0 * s * quarter_sine(1.0 - u));
+}
+
 struct Receiver {
   float distance_;  // from the camera
   vec3 outward;     // the way from the camera, unit
@@ -105,23 +118,22 @@ vec4 search(Receiver r, vec3 across, Sectors sectors, float jitter, float dither
   uint covered = 0u;
   vec3 seen = vec3(0.0);
   uint known = 0u;
-  float rows = eye_up.w;
+  int rows = int(eye_up.w);  // of a layer
   int layers = int(eye_forward.w);
+  int all_rows = rows * layers;
+  float step_share = 1.0 / float(steps);
   vec2 before = vec2(1.0, 0.0);  // cosine and sine of T where the step begins
+  vec3 ray_before = r.outward;
   for (int i = 0; i <= steps; ++i) {
-    float share = min((float(i) + jitter) / float(steps), 1.0);
-    float angle_after = kPi * pow(share, step_exponent);
-    float angle_middle = kPi * pow(max(share - 0.5 / float(steps), 0.5 * share), step_exponent);
-    vec2 after = vec2(cos(angle_after), sin(angle_after));
-    vec2 middle = vec2(cos(angle_middle), sin(angle_middle));
-    vec3 ray = middle.x * r.outward + middle.y * across;
-    ivec2 texel = tile_texel(ray);
+    float share = min((float(i) + jitter) * step_share, 1.0);
+    vec2 after = search_angle(share);
+    vec2 middle = search_angle(max(share - 0.5 * step_share, 0.5 * share));
+    ivec2 texel = tile_texel(middle.x * r.outward + middle.y * across);
     if (texel.x < 0) break;
-    vec3 ray_before = before.x * r.outward + before.y * across;
     vec3 ray_after = after.x * r.outward + after.y * across;
     for (int layer = 0; layer < layers; ++layer) {
-      vec3 surfel = texelFetch(surfels, texel, 0).xyz;
-      if (surfel.z == 0.0) {
+      vec4 surfel = texelFetch(surfels, texel, 0);
+      if (!is_surface(surfel)) {
         if (layer > 0) break;
         // Infinitely far: A and T add up to pi.
         uint fresh = sector_mask(place_of(sectors, -before.x, before.y), place_of(sectors, -after.x, after.y), dither) & ~covered;
@@ -131,16 +143,15 @@ vec4 search(Receiver r, vec3 across, Sectors sectors, float jitter, float dither
         seen += float(count) * background;
         break;
       }
-      vec3 normal = unpack_normal(surfel.x);
-      float height = dot(normal, r.outward) * r.distance_ - surfel.y;  // of the receiver over the surfel's plane
-      vec2 range = surfel.z * vec2(0.5, 2.0);
-      float t0 = clamp(surfel.y / min(dot(normal, ray_before), -1e-5), range.x, range.y);
-      float t1 = clamp(surfel.y / min(dot(normal, ray_after), -1e-5), range.x, range.y);
+      float z = length(surfel.xyz);
+      float height = dot(surfel.xyz, r.outward) * r.distance_ - surfel.w;  // of the receiver over the plane, times z
+      float t0 = clamp(surfel.w / min(dot(surfel.xyz, ray_before), -1e-5 * z), 0.5 * z, 2.0 * z);
+      float t1 = clamp(surfel.w / min(dot(surfel.xyz, ray_after), -1e-5 * z), 0.5 * z, 2.0 * z);
       // Along the way to the camera, and across it.
       vec2 end0 = vec2(r.distance_ - t0 * before.x, t0 * before.y);
       vec2 end1 = vec2(r.distance_ - t1 * after.x, t1 * after.y);
       float length1 = length(end1);
-      if (abs(height) > kOwnPlane * length1 + kRounding * r.distance_) {
+      if (abs(height) > (kOwnPlane * length1 + kRounding * r.distance_) * z) {
         vec2 d0 = end0 / max(length(end0), 1e-20);
         vec2 d1 = end1 / max(length1, 1e-20);
         float place0 = place_of(sectors, d0.x, d0.y);
@@ -150,8 +161,8 @@ vec4 search(Receiver r, vec3 across, Sectors sectors, float jitter, float dither
           covered |= fresh;
           uint count = uint(bitCount(fresh));
           known += count;
-          vec3 radiance = height > 0.0 ? texelFetch(front_radiance, texel, 0).rgb : texelFetch(back_radiance, texel, 0).rgb;
-          seen += float(count) * radiance;
+          int row = height > 0.0 ? texel.y : texel.y + all_rows;
+          seen += float(count) * texelFetch(radiance, ivec2(texel.x, row), 0).rgb;
         }
 #ifdef THICKNESS
         // What lies behind it is hidden as far as it is thick; what it looks like there is not known.
@@ -164,10 +175,11 @@ vec4 search(Receiver r, vec3 across, Sectors sectors, float jitter, float dither
         covered |= sector_mask(min(min(place0, place1), min(place2, place3)), max(max(place0, place1), max(place2, place3)), dither);
 #endif
       }
-      texel.y += int(rows);
+      texel.y += rows;
     }
     if (covered == ~0u) break;
     before = after;
+    ray_before = ray_after;
   }
   return sectors.total / float(kSectors) * vec4(seen, float(known));
 }
@@ -199,7 +211,7 @@ vec4 gather(Receiver r, vec3 normal, float turn, float jitter, float dither) {
 float unit(uint bits) { return (float(bits >> 8) + 0.5) / 16777216.0; }
 
 #ifdef SURFEL_RECEIVERS
-// Alpha becomes what the light is worth: little where next to nothing was seen.
+// Light is worth little where next to nothing was seen.
 vec4 filled(vec4 gathered) {
 #ifdef UNKNOWN_AMBIENT
   const float kEnoughKnown = 0.1;
@@ -210,17 +222,17 @@ vec4 filled(vec4 gathered) {
 }
 
 void main() {
-  front = vec4(0.0);
-  back = vec4(0.0);
+  indirect = vec4(0.0);
   ivec2 pixel = ivec2(gl_FragCoord.xy);
+  int rows = textureSize(coarse_patches, 0).y;
+  bool back = pixel.y >= rows;
+  if (back) pixel.y -= rows;
   vec4 receiver = texelFetch(coarse_patches, pixel, 0);
   if (receiver.w == kNoPatch) return;
   vec3 normal = unpack_normal(receiver.w);
-  Receiver r = receiver_at(receiver.xyz);
   uint h = pixel_hash(pixel);
   float turn = unit(h), jitter = unit(h * 0x9e3779b9u), dither = unit(h * 0x85ebca6bu);
-  front = filled(gather(r, normal, turn, jitter, dither));
-  back = filled(gather(r, -normal, turn, jitter, dither));
+  indirect = filled(gather(receiver_at(receiver.xyz), back ? -normal : normal, turn, jitter, dither));
 }
 #else
 void main() {
