@@ -1,108 +1,67 @@
 #include "renderer/techniques/isr.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 
-#include <glm/gtc/constants.hpp>
-#include <glm/vec4.hpp>
+#include <fmt/format.h>
 
-#include "renderer/direct_light.h"
-#include "renderer/frame_context.h"
 #include "renderer/techniques/isr_kernel.h"
 #include "renderer/techniques/isr_params.h"
+#include "renderer/techniques/isr_samples.h"
 #include "renderer/techniques/isr_slices.h"
 
 namespace lightbench {
 namespace {
 
-constexpr unsigned kPatchUnit = 6;  // of techniques/isr/*.glsl
-constexpr unsigned kRadianceUnit = 7;
-constexpr unsigned kNormalUnit = 8;
-constexpr unsigned kDepthUnit = 8;
-constexpr unsigned kIndirectUnit = 9;
-constexpr unsigned kLightUnit = 9;
-constexpr unsigned kOpennessUnit = 10;
-constexpr unsigned kLitUnit = 11;
-constexpr unsigned kFarPatchUnit = 9;
-constexpr unsigned kFarRadianceUnit = 10;
-constexpr unsigned kKernelBinding = 1;
-
-/// What is gathered from: techniques/isr/coarse.glsl.
-struct CoarseScene {
-  GlTexture patches;
-  GlTexture radiance;
-  GlTexture normals;
-  GlTexture depths;
-  GlTexture far_patches;  ///< in larger blocks; empty where far_block is 1
-  GlTexture far_radiance;
+struct BufferRow {
+  const char* name;
+  const char* doc;
+};
+/// In the order of the shader's output.
+constexpr std::array kShares{
+    BufferRow{"occlusion",
+              "ambient openness: 1 - min(1, sum of eq. 26), or what the mask says; 1 on the background"},
+    BufferRow{"coverage",
+              "share of the directions, cosine-weighted, that surfaces cover; visibility bitmask only"},
+    BufferRow{"unknown",
+              "share of the directions, cosine-weighted, in which nothing was seen; 0 on the background"},
 };
 
-/// What is gathered.
-struct CoarseLight {
-  GlTexture indirect;
-  std::optional<GlTexture> openness;  ///< only where it is asked for
-};
-
-/// One frame's inputs, common to all passes.
-struct Isr {
-  FrameContext& frame;
-  const ParamValues& params;
-  const GBuffer& gbuffer;
-  const DirectLight& direct;
-  ShaderDefines defines;
-  glm::ivec2 coarse_size;
-  bool occlusion;
-
-  float number(const char* name) const { return float(params.number(name)); }
-  bool is(const char* name, const char* choice) const { return params.text(name) == choice; }
-  int block() const { return params.integer("resolution"); }
-  /// Eq. 25 knows no other patch than the pixel.
-  int far_block() const { return is("weighting", "paper") ? 1 : params.integer("far_block"); }
-  const Program& program(const std::string& name, const ShaderDefines& more = {}) const {
-    ShaderDefines all = defines;
-    all.insert(all.end(), more.begin(), more.end());
-    return frame.fullscreen_program("techniques/isr/" + name + ".frag.glsl", all);
-  }
-};
-
-bool wants_occlusion(const FrameContext& frame, const ParamValues& params) {
-  return params.number("k_ssao") > 0 || frame.wants("occlusion");
+std::string bounce_name(int bounce) {
+  return fmt::format("bounce_{}", bounce);
 }
 
-/// Whether the background is gathered: black is not worth the work.
-bool gathers_background(const Isr& isr) {
-  const Background& background = isr.frame.scene().background;
-  return isr.params.boolean("background") && background.lights && background.color != glm::vec3(0);
-}
-
-GlTexture coarse_texture(const Isr& isr, TexelFormat format) {
-  return GlTexture(format, isr.coarse_size.x, isr.coarse_size.y);
-}
-
-CoarseLight make_light(const Isr& isr) {
-  CoarseLight light{coarse_texture(isr, TexelFormat::rgba16f), std::nullopt};
-  if (isr.occlusion) light.openness = coarse_texture(isr, TexelFormat::r16f);
-  return light;
-}
-
-Framebuffer target_of(const CoarseLight& light) {
-  if (light.openness) return Framebuffer({&light.indirect, &*light.openness});
-  return Framebuffer({&light.indirect});
+/// Those that are made while the image is composed.
+std::vector<BufferSpec> kept_buffers() {
+  std::vector<BufferSpec> buffers{
+      {"indirect", "what is added to the direct light, linear RGB; 0 on the background"}};
+  for (const BufferRow& row : kShares) buffers.push_back({row.name, row.doc});
+  for (int bounce = 1; bounce <= kMaxBounces; ++bounce)
+    buffers.push_back({bounce_name(bounce), fmt::format("the part of it that came by {} bounce{}", bounce,
+                                                        bounce == 1 ? "" : "s")});
+  return buffers;
 }
 
 void bind(const CoarseLight& light) {
   light.indirect.bind(kIndirectUnit);
-  if (light.openness) light.openness->bind(kOpennessUnit);
+  if (light.cover) light.cover->bind(kCoverUnit);
+}
+
+bool wants_occlusion(const FrameContext& frame, const ParamValues& params) {
+  return params.number("k_ssao") > 0 || frame.wants("occlusion") || frame.wants("coverage");
 }
 
 CoarseScene downsample(const Isr& isr) {
   CoarseScene coarse;
-  coarse.patches = coarse_texture(isr, TexelFormat::rgba32f);
-  coarse.radiance = coarse_texture(isr, TexelFormat::rgba16f);
-  coarse.normals = coarse_texture(isr, TexelFormat::rg16);
-  coarse.depths = coarse_texture(isr, TexelFormat::r32f);
+  coarse.patches = isr.coarse_texture(TexelFormat::rgba32f);
+  coarse.radiance = isr.coarse_texture(TexelFormat::rgba16f);
+  coarse.normals = isr.coarse_texture(TexelFormat::rg16);
+  coarse.depths = isr.coarse_texture(TexelFormat::r32f);
   const Framebuffer target({&coarse.patches, &coarse.radiance, &coarse.normals, &coarse.depths});
   const Program& program = isr.program("downsample");
   program.set("block", isr.block());
@@ -113,88 +72,10 @@ CoarseScene downsample(const Isr& isr) {
   return coarse;
 }
 
-void reduce(const Isr& isr, CoarseScene& coarse) {
-  const int block = isr.far_block();
-  if (block == 1) return;
-  const glm::ivec2 size = (isr.coarse_size + block - 1) / block;
-  coarse.far_patches = GlTexture(TexelFormat::rgba32f, size.x, size.y);
-  coarse.far_radiance = GlTexture(TexelFormat::rgba16f, size.x, size.y);
-  const Framebuffer target({&coarse.far_patches, &coarse.far_radiance});
-  const Program& program = isr.program("reduce");
-  program.set("block", block);
-  coarse.patches.bind(kPatchUnit);
-  coarse.radiance.bind(kRadianceUnit);
-  isr.frame.draw_fullscreen(target, program);
-}
-
-std::vector<KernelSample> make_kernel(const Isr& isr) {
-  const int samples = isr.params.integer("samples");
-  if (isr.is("pattern", "grid")) return grid_kernel(samples, isr.number("spacing"));
-  return spiral_kernel(samples, isr.number("radius") * float(isr.coarse_size.x), isr.number("spread"));
-}
-
-/// The kernel as the shader has it: shares on the image plane at distance 1, divided by pi.
-Buffer kernel_block(const Isr& isr, const std::vector<KernelSample>& kernel, float pixel_size) {
-  std::vector<glm::vec4> block(kMaxKernelSamples, glm::vec4(0));
-  const bool paper = isr.is("weighting", "paper");
-  for (std::size_t i = 0; i < kernel.size(); ++i) {
-    const float area = paper ? 1.0f : kernel[i].area;  // eq. 25 takes one pixel as the patch
-    block[i] = glm::vec4(kernel[i].offset, area * pixel_size * pixel_size / glm::pi<float>(), 0);
-  }
-  return Buffer(block.data(), block.size() * sizeof block[0]);
-}
-
-ShaderDefines gather_defines(const Isr& isr) {
-  ShaderDefines defines;
-  if (gathers_background(isr)) defines.push_back("BACKGROUND");
-  const int block = isr.far_block();
-  if (block > 1) defines.push_back("FAR_BLOCK " + std::to_string(block));
-  return defines;
-}
-
-CoarseLight gather(const Isr& isr, const CoarseScene& coarse) {
-  // Edge of a coarse pixel at distance 1.
-  const float pixel_size = 2 * isr.gbuffer.camera.tan_half_y * float(isr.block()) / float(isr.gbuffer.height);
-  const std::vector<KernelSample> kernel = make_kernel(isr);
-  const Buffer block = kernel_block(isr, kernel, pixel_size);
-  CoarseLight light = make_light(isr);
-  const Program& program = isr.program("gather", gather_defines(isr));
-  program.set("near_count", near_samples(kernel, isr.far_block()));
-  program.set("sample_count", int(kernel.size()));
-  program.set("coarse_texel", float(isr.block()) / glm::vec2(isr.gbuffer.width, isr.gbuffer.height));
-  program.set("form_factor_limit", isr.number("form_factor_limit"));
-  program.set("background", isr.frame.scene().background.color);
-  program.set("occluder_radius", isr.number("occluder_radius") * pixel_size / float(isr.block()));
-  program.set("occlusion_scale",
-              isr.number("occlusion_radius") * float(isr.coarse_size.x) / kernel_reach(kernel));
-  isr.gbuffer.camera_block.bind_uniform(0);
-  block.bind_uniform(kKernelBinding);
-  coarse.patches.bind(kPatchUnit);
-  coarse.radiance.bind(kRadianceUnit);
-  coarse.normals.bind(kNormalUnit);
-  if (coarse.far_patches.id() != 0) {
-    coarse.far_patches.bind(kFarPatchUnit);
-    coarse.far_radiance.bind(kFarRadianceUnit);
-  }
-  isr.frame.draw_fullscreen(target_of(light), program);
-  return light;
-}
-
-CoarseLight gather_with_visibility(const Isr& isr, const CoarseScene& coarse,
-                                   const Surroundings& surroundings) {
-  CoarseLight light = make_light(isr);
-  // Visibility is in the light itself: there is no ambient occlusion beside it.
-  if (light.openness) Framebuffer({&*light.openness}).clear_color(0, 1, 1, 1, 1);
-  coarse.patches.bind(kPatchUnit);
-  coarse.normals.bind(kNormalUnit);
-  gather_slices(isr.frame, isr.params, surroundings, Framebuffer({&light.indirect}));
-  return light;
-}
-
 /// Directions in which nothing was seen take the mean of the others.
 void fill_unknown(const Isr& isr, CoarseLight& light) {
   if (!isr.is("visibility", "bitmask") || !isr.is("unknown", "ambient")) return;
-  GlTexture filled = coarse_texture(isr, TexelFormat::rgba16f);
+  GlTexture filled = isr.coarse_texture(TexelFormat::rgba16f);
   light.indirect.bind(kIndirectUnit);
   isr.frame.draw_fullscreen(Framebuffer({&filled}), isr.program("fill"));
   light.indirect = std::move(filled);
@@ -222,18 +103,26 @@ void blur(const Isr& isr, const CoarseScene& coarse, CoarseLight& light) {
   blur_along(isr, between, light, {0, 1});
 }
 
-/// The image, and the named buffers at full resolution.
-void compose(const Isr& isr, const CoarseScene& coarse, const CoarseLight& light) {
+/// What is kept at full resolution besides the image.
+struct KeptPictures {
+  GlTexture indirect;  ///< RGBA32F: what is added to the direct light
+  GlTexture shares;    ///< RGBA32F: openness, covered, unknown
+};
+
+bool keeps_pictures(const FrameContext& frame) {
+  const auto names = kept_buffers();
+  return std::any_of(names.begin(), names.end(), [&](const BufferSpec& b) { return frame.wants(b.name); });
+}
+
+KeptPictures compose(const Isr& isr, const CoarseScene& coarse, const CoarseLight& light) {
   const glm::ivec2 size(isr.gbuffer.width, isr.gbuffer.height);
-  const bool keep = isr.frame.wants("indirect") || isr.frame.wants("occlusion");
+  const bool keep = keeps_pictures(isr.frame);
   const GlTexture image(TexelFormat::rgba32f, size.x, size.y);
-  std::optional<GlTexture> indirect;
-  std::optional<GlTexture> openness;
-  if (keep) {
-    indirect.emplace(TexelFormat::rgba32f, size.x, size.y);
-    openness.emplace(TexelFormat::r32f, size.x, size.y);
-  }
-  const Framebuffer target = keep ? Framebuffer({&image, &*indirect, &*openness}) : Framebuffer({&image});
+  KeptPictures kept;
+  if (keep)
+    kept = {GlTexture(TexelFormat::rgba32f, size.x, size.y), GlTexture(TexelFormat::rgba32f, size.x, size.y)};
+  const Framebuffer target =
+      keep ? Framebuffer({&image, &kept.indirect, &kept.shares}) : Framebuffer({&image});
   isr.frame.pass("upsample and light", [&] {
     const Program& program = isr.program("light", keep ? ShaderDefines{"KEEP_BUFFERS"} : ShaderDefines{});
     program.set("block", isr.block());
@@ -249,9 +138,22 @@ void compose(const Isr& isr, const CoarseScene& coarse, const CoarseLight& light
     isr.frame.draw_fullscreen(target, program);
   });
   isr.frame.set_image(image);
-  if (!keep) return;
-  isr.frame.keep_buffer("indirect", *indirect, 3);
-  isr.frame.keep_buffer("occlusion", *openness, 1);
+  return kept;
+}
+
+Image component(const Image& image, int index) {
+  Image result(image.width, image.height, 1);
+  for (std::size_t i = 0; i < result.data.size(); ++i)
+    result.data[i] = image.data[i * std::size_t(image.channels) + std::size_t(index)];
+  return result;
+}
+
+void keep_shares(FrameContext& frame, const KeptPictures& kept) {
+  if (!keeps_pictures(frame)) return;
+  frame.keep_buffer("indirect", kept.indirect, 3);
+  const Image shares = read_back(kept.shares, 3);
+  for (std::size_t i = 0; i < kShares.size(); ++i)
+    frame.keep_buffer(kShares[i].name, component(shares, int(i)));
 }
 
 ShaderDefines all_defines(const GBuffer& gbuffer, const ParamValues& params, bool occlusion) {
@@ -285,6 +187,52 @@ Lit light_all(FrameContext& frame, const ParamValues& params, const GBuffer& gbu
   return lit;
 }
 
+CoarseLight gather(const Isr& isr, const CoarseScene& coarse, const std::optional<Surroundings>& from) {
+  CoarseLight light;
+  isr.frame.pass("gather",
+                 [&] { light = from ? gather_slices(isr, coarse, *from) : gather_samples(isr, coarse); });
+  isr.frame.pass("blur", [&] {
+    blur(isr, coarse, light);
+    fill_unknown(isr, light);
+  });
+  return light;
+}
+
+int bounces_of(const ParamValues& params) {
+  return params.text("visibility") == "bitmask" ? params.integer("bounces") : 1;
+}
+
+/// With how many bounces the picture is made, the last being the one that counts: where the light of each
+/// bounce is asked for, with one more each time.
+std::vector<int> shown_bounces(const FrameContext& frame, const ParamValues& params) {
+  std::vector<int> all;
+  bool wanted = false;
+  for (int bounce = 1; bounce <= bounces_of(params); ++bounce) {
+    all.push_back(bounce);
+    wanted = wanted || frame.wants(bounce_name(bounce));
+  }
+  return wanted ? all : std::vector<int>{bounces_of(params)};
+}
+
+void keep_bounce(FrameContext& frame, int bounce, const KeptPictures& with, const KeptPictures& without) {
+  if (!frame.wants(bounce_name(bounce))) return;
+  Image light = read_back(with.indirect, 3);
+  if (bounce > 1) {
+    const Image before = read_back(without.indirect, 3);
+    std::transform(light.data.begin(), light.data.end(), before.data.begin(), light.data.begin(),
+                   std::minus<>());
+  }
+  frame.keep_buffer(bounce_name(bounce), light);
+}
+
+/// A job that asks for the second layer gets black of a variant that keeps none.
+void keep_missing_buffers(FrameContext& frame) {
+  for (const auto& buffers : {kept_buffers(), surround_buffers()})
+    for (const BufferSpec& buffer : buffers)
+      if (!frame.result().buffers.contains(buffer.name))
+        frame.keep_buffer(buffer.name, Image(frame.width(), frame.height(), 3));
+}
+
 void render_isr(FrameContext& frame, const ParamValues& params) {
   GBuffer gbuffer;
   frame.pass("g-buffer", [&] {
@@ -302,30 +250,34 @@ void render_isr(FrameContext& frame, const ParamValues& params) {
   const Isr isr{frame,       params,   gbuffer, lit.frame, all_defines(gbuffer, params, occlusion),
                 coarse_size, occlusion};
   CoarseScene coarse;
-  CoarseLight light;
-  frame.pass("downsample", [&] {
-    coarse = downsample(isr);
-    reduce(isr, coarse);
-  });
-  if (surroundings) {
-    light_surroundings(frame, params, lit.surroundings, params.integer("bounces"), *surroundings);
-    frame.pass("gather", [&] { light = gather_with_visibility(isr, coarse, *surroundings); });
-  } else {
-    frame.pass("gather", [&] { light = gather(isr, coarse); });
+  frame.pass("downsample", [&] { coarse = downsample(isr); });
+  KeptPictures kept;
+  for (const int bounces : shown_bounces(frame, params)) {
+    if (surroundings) light_surroundings(frame, params, lit.surroundings, bounces, *surroundings);
+    const CoarseLight light = gather(isr, coarse, surroundings);
+    KeptPictures before = std::exchange(kept, compose(isr, coarse, light));
+    keep_bounce(frame, bounces, kept, before);
   }
-  frame.pass("blur", [&] {
-    blur(isr, coarse, light);
-    fill_unknown(isr, light);
-  });
-  compose(isr, coarse, light);
+  keep_shares(frame, kept);
+  if (surroundings) keep_surround_buffers(frame, *surroundings);
+  keep_missing_buffers(frame);
   keep_direct_buffers(frame, gbuffer, lit.frame);
 }
 
 std::vector<std::string> unsupported(const Scene&, const ParamValues& params) {
-  if (params.text("pattern") == "grid" && !fills_grid(params.integer("samples")))
-    return {
-        "pattern 'grid' needs 8, 24, 48, 80 or another number of samples that fills a square round a pixel"};
-  return {};
+  std::vector<std::string> reasons;
+  const int samples = params.integer("samples");
+  if (params.text("visibility") == "bitmask") return reasons;
+  const bool grid = params.text("pattern") == "grid";
+  if (grid && !fills_grid(samples))
+    reasons.emplace_back(
+        "pattern 'grid' needs 8, 24, 48, 80 or another number of samples that fills a square round a pixel");
+  if (params.number("samples_by_depth") == 0) return reasons;
+  if (grid) reasons.emplace_back("pattern 'grid' cannot be had with samples by depth");
+  if (samples > kMostSamplesByDepth)
+    reasons.push_back(
+        fmt::format("samples by depth are at most {} in the mean, not {}", kMostSamplesByDepth, samples));
+  return reasons;
 }
 
 }  // namespace
@@ -338,18 +290,13 @@ Technique isr_technique() {
       "radiosity)";
   technique.params = isr_params();
   technique.presets = isr_presets();
-  technique.buffers = direct_buffers();
-  technique.buffers.push_back(
-      {"indirect", "what is added to the direct light, linear RGB; 0 on the background"});
-  technique.buffers.push_back(
-      {"occlusion", "ambient openness, 1 - min(1, sum of eq. 26); 1 on the background"});
+  for (const auto& buffers : {direct_buffers(), kept_buffers(), surround_buffers()})
+    technique.buffers.insert(technique.buffers.end(), buffers.begin(), buffers.end());
   technique.shaders = direct_shaders();
   for (const char* pass : {"downsample", "reduce", "gather", "surfels", "receivers", "radiance", "slices",
-                           "blur", "fill", "light"})
+                           "depth_sum", "layers", "blur", "fill", "light"})
     technique.shaders.push_back(std::string("techniques/isr/") + pass + ".frag.glsl");
-  technique.bounces = [](const ParamValues& params) {
-    return params.text("visibility") == "bitmask" ? params.integer("bounces") : 1;
-  };
+  technique.bounces = bounces_of;
   technique.unsupported = unsupported;
   technique.render = render_isr;
   return technique;

@@ -4,24 +4,55 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <random>
 
 #include <glm/geometric.hpp>
 
 namespace lightbench {
 
-std::vector<KernelSample> spiral_kernel(int count, float radius, float spread) {
+namespace {
+
+struct Polar {
+  double ring;  ///< 0 .. count: where among the rings
+  double angle;
+};
+
+/// Samples in rings whose borders lie at radius * (i / count)^spread; `place` says where sample i is.
+template <typename Place>
+std::vector<KernelSample> rings(int count, float radius, float spread, const Place& place) {
   assert(count > 0 && count <= kMaxKernelSamples);
-  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
   const auto distance = [&](double i) { return radius * std::pow(i / count, double(spread)); };
   std::vector<KernelSample> kernel;
   for (int i = 0; i < count; ++i) {
-    const double r = distance(i + 0.5);
+    const Polar at = place(i);
+    const double r = distance(at.ring);
     const double inner = distance(i);
     const double outer = distance(i + 1);
-    kernel.push_back({{r * std::cos(i * golden_angle), r * std::sin(i * golden_angle)},
+    kernel.push_back({{r * std::cos(at.angle), r * std::sin(at.angle)},
                       float(std::numbers::pi * (outer * outer - inner * inner))});
   }
   return kernel;
+}
+
+}  // namespace
+
+std::vector<KernelSample> spiral_kernel(int count, float radius, float spread) {
+  const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+  return rings(count, radius, spread, [&](int i) { return Polar{i + 0.5, i * golden_angle}; });
+}
+
+std::vector<KernelSample> jittered_kernel(int count, float radius, float spread) {
+  std::mt19937 random(1);  // the same on every machine, unlike the distributions of <random>
+  const auto jitter = [&] { return random() / 4294967296.0; };
+  std::vector<int> sectors(std::size_t(std::max(count, 0)));
+  std::iota(sectors.begin(), sectors.end(), 0);
+  for (std::size_t i = sectors.size(); i > 1; --i)
+    std::swap(sectors[i - 1], sectors[std::size_t(jitter() * double(i))]);
+  return rings(count, radius, spread, [&](int i) {
+    const double ring = i + jitter();
+    return Polar{ring, (sectors[std::size_t(i)] + jitter()) * 2 * std::numbers::pi / count};
+  });
 }
 
 std::vector<KernelSample> grid_kernel(int count, float spacing) {

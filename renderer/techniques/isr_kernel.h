@@ -8,7 +8,8 @@
 namespace lightbench {
 
 /// What techniques/isr/gather.frag.glsl has room for.
-inline constexpr int kMaxKernelSamples = 1024;
+inline constexpr int kMaxKernelSamples = 1000;
+inline constexpr int kMaxKernelLevels = 5;
 
 struct KernelSample {
   glm::vec2 offset;  ///< in pixels of the coarse image
@@ -19,6 +20,10 @@ struct KernelSample {
 /// count)^spread. At spread 1/2 the samples are uniform in area; greater ones crowd at the centre. Shares are
 /// the areas of the rings between samples and add up to the disc.
 std::vector<KernelSample> spiral_kernel(int count, float radius, float spread);
+
+/// The same with one sample anywhere in each ring, and one in each of `count` equal sectors (a Latin square),
+/// by a fixed rule.
+std::vector<KernelSample> jittered_kernel(int count, float radius, float spread);
 
 /// The cells of the smallest square grid around the centre that has `count` of them besides the centre
 /// itself, nearest rings first; `spacing` apart. Each share is a cell.

@@ -79,7 +79,7 @@ std::vector<ParamSpec> isr_params() {
       boolean("shared_shadows", false,
               "light what is gathered from with the frame's own shadow maps, which are then fitted to both: "
               "faster, with coarser shadows"),
-      integer("bounces", 1, 1, 4,
+      integer("bounces", 1, 1, kMaxBounces,
               "of indirect light; all but the last are gathered for what is gathered from"),
       integer("bounce_slices", 2, 1, 64, "slices of the bounces before the last"),
       integer("bounce_resolution", 4, 1, 16,
@@ -88,12 +88,18 @@ std::vector<ParamSpec> isr_params() {
       choice("unknown", {"black", "ambient"},
              "what comes from directions in which nothing was seen: nothing, or the mean of the others"),
       integer("samples", 48, 1, kMaxKernelSamples, "samples gathered for each coarse pixel"),
-      choice("pattern", {"spiral", "grid"},
-             "spiral: golden angle, in a disc of `radius`; grid: the square of coarse pixels around it, "
-             "`spacing` apart, for 8, 24, 48, 80, ... samples"),
-      number("radius", 1.0, 0.001, 4.0, "of the spiral, in widths of the image"),
+      choice(
+          "pattern", {"spiral", "jittered", "grid"},
+          "spiral: golden angle, in a disc of `radius`; jittered: at random in the same rings, one in each "
+          "and one in each of as many sectors; grid: the square of coarse pixels around it, "
+          "`spacing` apart, for 8, 24, 48, 80, ... samples"),
+      number(
+          "samples_by_depth", 0.0, 0.0, 2.0,
+          "near pixels take more samples (steps, with visibility) than far ones, from 1/4 to 4 times as "
+          "many: they go with the distance to the power of minus this, and their mean stays; 0: all alike"),
+      number("radius", 1.0, 0.001, 4.0, "of the disc, in widths of the image"),
       number("spread", 1.5, 0.25, 4.0,
-             "exponent of the spiral's radius: 0.5 is uniform in area, more crowds samples at the centre, "
+             "exponent of the samples' distances: 0.5 is uniform in area, more crowds samples at the centre, "
              "where they weigh most"),
       number("spacing", 1.0, 1.0, 256.0, "of the grid, in coarse pixels"),
       choice("rotation", {"tiled", "random", "none"},
@@ -129,8 +135,8 @@ std::vector<ParamSpec> isr_params() {
       number("occluder_radius", 2.0, 0.01, 1000.0, "of a sample's sphere in eq. 26, in pixels at its depth"),
       number("k_isr", 1.0, 0.0, 1000.0, "factor of the indirect light in eq. 29"),
       number("k_ssao", 0.0, 0.0, 1.0,
-             "power of the ambient occlusion over direct light in eq. 29; without effect where visibility is "
-             "bitmask"),
+             "power of the ambient occlusion over direct light in eq. 29; with visibility the occlusion is "
+             "what of the mask is covered by surfaces nearer than `occlusion_radius`, the nearest most"),
       choice("normals", {"octahedral16", "rgb8"}, "how the G-buffer keeps normals; rgb8: eq. 22"),
       boolean("direct", true, "show direct light too; else indirect light alone, over black"),
   };

@@ -7,6 +7,8 @@
 
 namespace lightbench {
 
+inline constexpr int kMaxBounces = 4;
+
 /// Parameters and presets of image-space radiosity, those of the shadows at the end.
 std::vector<ParamSpec> isr_params();
 std::vector<ParamPreset> isr_presets();

@@ -1,13 +1,22 @@
 #include "renderer/techniques/isr_slices.h"
 
+#include <algorithm>
+
+#include <fmt/format.h>
+
 #include "renderer/frame_context.h"
+#include "renderer/techniques/isr_samples.h"
 
 namespace lightbench {
 namespace {
 
-constexpr unsigned kPatchUnit = 6;  // of techniques/isr/*.glsl
-constexpr unsigned kSurfelUnit = 9;
+constexpr unsigned kSurfelUnit = 9;  // of techniques/isr/slices.frag.glsl
 constexpr unsigned kRadianceUnit = 10;
+constexpr int kKeptLayers = 4;  // that have a named buffer
+
+std::string layer_name(int layer) {
+  return fmt::format("layer_{}", layer);
+}
 
 SurroundOptions surround_options(const FrameContext& frame, const ParamValues& params) {
   SurroundOptions options;
@@ -72,8 +81,9 @@ struct Effort {
   int steps;
 };
 
-void draw_slices(FrameContext& frame, const ParamValues& params, const Surroundings& from,
-                 const Effort& effort, ShaderDefines defines, const Framebuffer& target) {
+/// The program with all that both kinds of receivers need.
+const Program& slices_program(FrameContext& frame, const ParamValues& params, const Surroundings& from,
+                              const Effort& effort, ShaderDefines defines) {
   const float thickness = float(params.number("thickness"));
   if (thickness > 0) defines.emplace_back("THICKNESS");
   if (params.text("unknown") == "ambient") defines.emplace_back("UNKNOWN_AMBIENT");
@@ -90,7 +100,7 @@ void draw_slices(FrameContext& frame, const ParamValues& params, const Surroundi
   from.gbuffer.tile_block.bind_uniform(2);
   from.surfels.bind(kSurfelUnit);
   from.radiance.bind(kRadianceUnit);
-  frame.draw_fullscreen(target, program);
+  return program;
 }
 
 }  // namespace
@@ -98,7 +108,9 @@ void draw_slices(FrameContext& frame, const ParamValues& params, const Surroundi
 Surroundings draw_surroundings(FrameContext& frame, const ParamValues& params) {
   Surroundings result;
   frame.pass("surround", [&] {
-    result.gbuffer = draw_surround(frame, surround_options(frame, params));
+    const SurroundOptions options = surround_options(frame, params);
+    result.layers = options.layers;
+    result.gbuffer = draw_surround(frame, options);
     result.surfels = make_surfels(frame, result.gbuffer);
   });
   return result;
@@ -118,15 +130,58 @@ void light_surroundings(FrameContext& frame, const ParamValues& params, const Di
     surroundings.radiance = make_radiance(frame, surroundings, direct, nullptr, block);
     for (int bounce = 1; bounce < bounces; ++bounce) {
       const GlTexture indirect = make_sides(receivers.width(), receivers.height());
-      draw_slices(frame, params, surroundings, effort, {"SURFEL_RECEIVERS"}, Framebuffer({&indirect}));
+      frame.draw_fullscreen(Framebuffer({&indirect}),
+                            slices_program(frame, params, surroundings, effort, {"SURFEL_RECEIVERS"}));
       surroundings.radiance = make_radiance(frame, surroundings, direct, &indirect, block);
     }
   });
 }
 
-void gather_slices(FrameContext& frame, const ParamValues& params, const Surroundings& from,
-                   const Framebuffer& target) {
-  draw_slices(frame, params, from, {params.integer("slices"), params.integer("steps")}, {}, target);
+CoarseLight gather_slices(const Isr& isr, const CoarseScene& coarse, const Surroundings& from) {
+  CoarseLight light = make_light(isr);
+  const Effort effort{isr.params.integer("slices"), isr.params.integer("steps")};
+  ShaderDefines defines;
+  if (isr.occlusion) defines.emplace_back("OCCLUSION");
+  const bool by_depth = isr.number("samples_by_depth") > 0;
+  const float scale = by_depth ? samples_scale(isr, coarse) : 1;
+  if (by_depth) defines.emplace_back("SAMPLES_BY_DEPTH");
+  const Program& program = slices_program(isr.frame, isr.params, from, effort, defines);
+  program.set("depth_exponent", isr.number("samples_by_depth"));
+  program.set("depth_scale", scale);
+  program.set("occlusion_reach", isr.number("occlusion_radius") * 2 * isr.gbuffer.camera.tan_half_x);
+  coarse.patches.bind(kPatchUnit);
+  coarse.normals.bind(kCoarseNormalUnit);
+  isr.frame.draw_fullscreen(target_of(light), program);
+  return light;
+}
+
+std::vector<BufferSpec> surround_buffers() {
+  std::vector<BufferSpec> buffers{
+      {"surround",
+       "what is gathered from, all around the camera: longitude across, latitude along, the view "
+       "in the middle; linear RGB, 0 where no picture reaches; visibility bitmask only"}};
+  for (int layer = 2; layer <= kKeptLayers; ++layer)
+    buffers.push_back({layer_name(layer), fmt::format("what the surface number {} along each pixel's ray "
+                                                      "sends to the camera; linear RGB, 0 where none is kept",
+                                                      layer)});
+  return buffers;
+}
+
+void keep_surround_buffers(FrameContext& frame, const Surroundings& surroundings) {
+  const auto keep = [&](const std::string& name, int layer, const ShaderDefines& defines) {
+    if (!frame.wants(name)) return;
+    const GlTexture picture(TexelFormat::rgba32f, frame.width(), frame.height());
+    const Program& program = frame.fullscreen_program("techniques/isr/layers.frag.glsl", defines);
+    program.set("layer", layer - 1);
+    surroundings.gbuffer.camera_block.bind_uniform(0);
+    surroundings.gbuffer.tile_block.bind_uniform(2);
+    surroundings.radiance.bind(kRadianceUnit);
+    frame.draw_fullscreen(Framebuffer({&picture}), program);
+    frame.keep_buffer(name, picture, 3);
+  };
+  keep("surround", 1, {"PANORAMA"});
+  const int layers = surroundings.layers;
+  for (int layer = 2; layer <= std::min(layers, kKeptLayers); ++layer) keep(layer_name(layer), layer, {});
 }
 
 }  // namespace lightbench

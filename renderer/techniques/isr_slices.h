@@ -1,12 +1,11 @@
 #pragma once
 
-#include "base/params.h"
-#include "renderer/direct_light.h"
+#include <vector>
+
 #include "renderer/surround.h"
+#include "renderer/techniques/isr_frame.h"
 
 namespace lightbench {
-
-class FrameContext;
 
 /// What is gathered from: a surround, lit on both sides of its surfaces.
 struct Surroundings {
@@ -15,6 +14,7 @@ struct Surroundings {
   /// RGBA16F, twice as high: what leaves the sides that face the camera, linear, and above it the other
   /// sides.
   GlTexture radiance;
+  int layers = 1;
 };
 
 /// Draws the surroundings of the frame's camera, unlit; timed as the pass "surround".
@@ -26,9 +26,7 @@ LitPicture lit_picture(const Surroundings& surroundings);
 void light_surroundings(FrameContext& frame, const ParamValues& params, const DirectLight& direct,
                         int bounces, Surroundings& surroundings);
 
-/// Indirect light with visibility for the patches that are bound to the units of techniques/isr/coarse.glsl
-/// and 8 (normals): RGBA16F, light of a white surface; alpha is the share of directions in which something
-/// was seen.
+/// Indirect light with visibility.
 ///
 /// After Therrien, Levesque and Gilet, "Screen Space Indirect Lighting with Visibility Bitmask" (2023):
 /// planes through the camera and the receiver are searched outwards, and what is found covers sectors of
@@ -36,7 +34,10 @@ void light_surroundings(FrameContext& frame, const ParamValues& params, const Di
 /// Real-Time Strategies for Accurate Indirect Occlusion", 2016, for the integral). Here the search goes by
 /// the angle at the camera and may so go all around it; a texel stands for the piece of its surface's plane
 /// that the step covers, not for a point; every layer is searched; and both sides of surfaces are told apart.
-void gather_slices(FrameContext& frame, const ParamValues& params, const Surroundings& from,
-                   const Framebuffer& target);
+CoarseLight gather_slices(const Isr& isr, const CoarseScene& coarse, const Surroundings& from);
+
+/// Named buffers that show the surroundings, and what keeps those of them that are wanted.
+std::vector<BufferSpec> surround_buffers();
+void keep_surround_buffers(FrameContext& frame, const Surroundings& surroundings);
 
 }  // namespace lightbench

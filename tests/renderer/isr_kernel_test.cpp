@@ -37,6 +37,29 @@ TEST(IsrKernel, SamplesLieInsideTheRingThatTheyStandFor) {
   }
 }
 
+TEST(IsrKernel, JitteredSamplesLieAnywhereInTheirRings) {
+  const auto spiral = spiral_kernel(48, 100, 1.5f);
+  const auto jittered = jittered_kernel(48, 100, 1.5f);
+  double inside = 0;
+  for (std::size_t i = 0; i < jittered.size(); ++i) {
+    EXPECT_EQ(jittered[i].area, spiral[i].area);
+    const double r = glm::length(jittered[i].offset);
+    const double disc = std::numbers::pi * r * r;
+    EXPECT_GE(disc, inside * 0.999) << "float rounding";
+    inside += jittered[i].area;
+    EXPECT_LE(disc, inside * 1.001);
+  }
+}
+
+TEST(IsrKernel, JitteredSamplesLieInSectorsOfTheirOwn) {
+  std::set<int> sectors;
+  for (const KernelSample& sample : jittered_kernel(48, 100, 1.5f)) {
+    const double turn = std::atan2(sample.offset.y, sample.offset.x) / (2 * std::numbers::pi);
+    sectors.insert(int(std::floor((turn < 0 ? turn + 1 : turn) * 48)));
+  }
+  EXPECT_EQ(sectors.size(), 48u);
+}
+
 TEST(IsrKernel, AGreaterSpreadCrowdsSamplesAtTheCentre) {
   EXPECT_LT(glm::length(spiral_kernel(48, 100, 1.5f)[24].offset),
             glm::length(spiral_kernel(48, 100, 0.5f)[24].offset));

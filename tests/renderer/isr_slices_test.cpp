@@ -9,66 +9,6 @@ namespace lightbench {
 namespace {
 
 using namespace test;
-using Params = std::map<std::string, ParamValue>;
-
-Params bitmask(const Params& more = {}) {
-  Params params{{"visibility", "bitmask"}, {"cameras", "cube"}, {"camera_size", 64LL}};
-  for (const auto& [name, value] : more) params[name] = value;
-  return params;
-}
-
-/// A closed box, -1..1 along each axis; all normals look inside.
-void add_box_inside(Scene& scene, int material) {
-  add_quad(scene, {-1, -1, 1}, {2, 0, 0}, {0, 0, -2}, material);
-  add_quad(scene, {-1, 1, -1}, {2, 0, 0}, {0, 0, 2}, material);
-  add_quad(scene, {-1, -1, -1}, {2, 0, 0}, {0, 2, 0}, material);
-  add_quad(scene, {1, -1, 1}, {-2, 0, 0}, {0, 2, 0}, material);
-  add_quad(scene, {-1, -1, 1}, {0, 0, -2}, {0, 2, 0}, material);
-  add_quad(scene, {1, -1, -1}, {0, 0, 2}, {0, 2, 0}, material);
-}
-
-/// A solid block on the floor of that box; normals look outwards.
-void add_block(Scene& scene, int material) {
-  const glm::vec3 low(-0.4f, -1, -0.5f), high(0.2f, -0.2f, 0);
-  const glm::vec3 size = high - low;
-  add_quad(scene, {low.x, high.y, high.z}, {size.x, 0, 0}, {0, 0, -size.z}, material);
-  add_quad(scene, {low.x, low.y, high.z}, {size.x, 0, 0}, {0, size.y, 0}, material);
-  add_quad(scene, {high.x, low.y, low.z}, {-size.x, 0, 0}, {0, size.y, 0}, material);
-  add_quad(scene, {low.x, low.y, low.z}, {0, 0, size.z}, {0, size.y, 0}, material);
-  add_quad(scene, {high.x, low.y, high.z}, {0, 0, -size.z}, {0, size.y, 0}, material);
-}
-
-/// All surfaces glow with radiance 1 and send back 0.6 of what arrives.
-Scene furnace() {
-  Scene scene;
-  scene.name = "furnace";
-  scene.materials = {glowing(1)};
-  scene.materials[0].diffuse = glm::vec3(0.6f);
-  add_box_inside(scene, 0);
-  return scene;
-}
-View furnace_view() {
-  return view_from({0.3f, 0.2f, 0.8f}, {-0.2f, -0.4f, -1}, 1.1f);
-}
-
-/// Smallest and largest value of the first component.
-std::pair<float, float> range_of(const Image& image) {
-  std::pair<float, float> range{1e30f, -1e30f};
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) {
-      const float value = image.pixel(x, y)[0];
-      range = {std::min(range.first, value), std::max(range.second, value)};
-    }
-  return range;
-}
-
-double mean_of(const Image& image) {
-  double sum = 0;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x) sum += image.pixel(x, y)[0];
-  return sum / (double(image.width) * image.height);
-}
-
 class GlIsrFurnace : public ::testing::TestWithParam<int> {};
 
 // In a closed room where everything looks the same each bounce adds the albedo times the last one. 0.15 % a
@@ -224,6 +164,13 @@ TEST(GlIsrSlices, SharedShadowMapsShowTheSame) {
     return mean_of(render_isr(scene, furnace_view(), bitmask({{"shared_shadows", shared}})).image);
   };
   EXPECT_NEAR(mean(true), mean(false), 2e-3 * mean(false));
+}
+
+TEST(GlIsrSlices, StepsByDepthKeepTheLight) {
+  const Params params = bitmask({{"samples_by_depth", 1.0}, {"unknown", "ambient"}});
+  const auto [least, most] = range_of(render_isr(furnace(), furnace_view(), params).buffers.at("indirect"));
+  EXPECT_NEAR(least, 0.6, 0.001) << "kept in half floats";
+  EXPECT_NEAR(most, 0.6, 0.001);
 }
 
 TEST(GlIsrSlices, TheUnitOfLengthDoesNotMatter) {

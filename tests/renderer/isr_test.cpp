@@ -365,6 +365,27 @@ TEST(GlIsr, AGridMustBeFilled) {
   EXPECT_NO_THROW(render_isr(corner_scene(), corner_view(), {{"pattern", "grid"}, {"samples", 48LL}}));
 }
 
+TEST(GlIsr, AJitteredKernelHasNoBias) {
+  // 2 %: as for the spiral.
+  EXPECT_NEAR(plates_ratio({{"samples", 800LL}, {"pattern", "jittered"}}), 1, 0.02);
+}
+
+// 3 %: kernels of other sizes are other samples of the same sum.
+TEST(GlIsr, SamplesByDepthKeepTheEnergy) {
+  const double alike = plates_ratio({{"samples", 120LL}});
+  EXPECT_NEAR(plates_ratio({{"samples", 120LL}, {"samples_by_depth", 1.0}}) / alike, 1, 0.03);
+}
+
+TEST(GlIsr, SamplesByDepthHaveTheirLimits) {
+  const auto rendering = [](long long samples, const char* pattern) {
+    return render_isr(corner_scene(), corner_view(),
+                      {{"samples", samples}, {"pattern", pattern}, {"samples_by_depth", 1.0}});
+  };
+  EXPECT_THROW(rendering(129, "spiral"), Error);
+  EXPECT_THROW(rendering(48, "grid"), Error);
+  EXPECT_NO_THROW(rendering(128, "jittered"));
+}
+
 TEST(GlIsr, TimesEachPass) {
   std::vector<std::string> names;
   for (const PassTime& pass : render_isr(corner_scene(), corner_view()).passes) names.push_back(pass.name);

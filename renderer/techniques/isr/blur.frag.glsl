@@ -3,7 +3,7 @@
 #include "techniques/isr/coarse.glsl"
 
 layout(binding = 9) uniform sampler2D indirect_in;
-layout(binding = 10) uniform sampler2D openness_in;
+layout(binding = 10) uniform sampler2D cover_in;
 
 uniform ivec2 direction;
 uniform int radius;
@@ -13,14 +13,14 @@ uniform float plane_tolerance;  // distance from the tangent plane, in units of 
 
 layout(location = 0) out vec4 indirect;
 #ifdef OCCLUSION
-layout(location = 1) out float openness;
+layout(location = 1) out vec2 cover;
 #endif
 
 void main() {
   indirect = vec4(0.0);
 #ifdef OCCLUSION
-  openness = 1.0;
-  float open_sum = 0.0;
+  cover = vec2(1.0, 0.0);
+  vec2 cover_sum = vec2(0.0);
 #endif
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 center = texelFetch(coarse_patches, pixel, 0);
@@ -48,12 +48,12 @@ void main() {
 #endif
     sum += weight * texelFetch(indirect_in, at, 0);
 #ifdef OCCLUSION
-    open_sum += weight * texelFetch(openness_in, at, 0).r;
+    cover_sum += weight * texelFetch(cover_in, at, 0).xy;
 #endif
     weights += weight;
   }
   indirect = sum / weights;  // the centre's own weight is 1
 #ifdef OCCLUSION
-  openness = open_sum / weights;
+  cover = cover_sum / weights;
 #endif
 }

@@ -1,20 +1,29 @@
 // Gathers indirect light, and optionally occlusion, for each patch from the patches around it on the screen.
 #include "techniques/isr/coarse.glsl"
 #include "techniques/isr/dither.glsl"
+#include "techniques/isr/samples_share.glsl"
 
-const int kMaxSamples = 1024;  // also in isr_kernel.h
+const int kMaxSamples = 1000;  // also in isr_kernel.h
+const int kMaxLevels = 5;      // also in isr_samples.h
 
 // xy: offset in patches; z: the share of the kernel that the sample stands for, as an area on the image plane at
 // distance 1, divided by pi.
-layout(std140, binding = 1) uniform Kernel { vec4 kernel[kMaxSamples]; };
+layout(std140, binding = 1) uniform Kernel {
+  vec4 kernel[kMaxSamples];
+  // Kernels of 1/4 to 4 times the samples where these go by depth, else one: the first sample, the first that reads larger
+  // blocks, and the end.
+  ivec4 levels[kMaxLevels];
+};
 
 layout(binding = 8) uniform sampler2D coarse_normals;  // shading normals, octahedral
 // The same picture in larger blocks, for samples that stand for more than a block: it stays in the cache.
 layout(binding = 9) uniform sampler2D far_patches;
 layout(binding = 10) uniform sampler2D far_radiance;
 
-uniform int near_count;    // samples that read the coarse picture itself
-uniform int sample_count;
+#ifdef SAMPLES_BY_DEPTH
+uniform float depth_exponent;
+uniform float depth_scale;  // makes the mean of the samples what it would be
+#endif
 uniform float form_factor_limit;
 uniform vec2 coarse_texel;  // of the picture, 0..1
 uniform vec3 background;
@@ -23,7 +32,7 @@ uniform float occlusion_scale;  // of the kernel
 
 layout(location = 0) out vec4 indirect;  // light of a white surface; alpha: sum of the form factors
 #ifdef OCCLUSION
-layout(location = 1) out float openness;
+layout(location = 1) out vec2 cover;  // openness; 0, since visibility is not known
 #endif
 
 const float kTwoPi = 6.28318530718;
@@ -97,13 +106,13 @@ vec4 gather_samples(int first, int end, sampler2D patches, sampler2D radiances, 
 
 #ifdef OCCLUSION
 // Eq. 26 over the same kernel made smaller: distant spheres of a pixel's size occlude nothing.
-float occlusion(vec3 position, vec3 normal, vec2 turn) {
+float occlusion(ivec4 level, vec3 position, vec3 normal, vec2 turn) {
   vec2 center = floor(gl_FragCoord.xy) + 0.5;
   vec2 step_x = turn * occlusion_scale;
   vec2 step_y = vec2(-step_x.y, step_x.x);
   ivec2 size = textureSize(coarse_patches, 0);
   float sum = 0.0;
-  for (int i = 0; i < sample_count; ++i) {
+  for (int i = level.x; i < level.z; ++i) {
     ivec2 at = ivec2(floor(center + kernel[i].x * step_x + kernel[i].y * step_y));
     if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, size))) continue;
     vec4 other = texelFetch(coarse_patches, at, 0);
@@ -116,28 +125,33 @@ float occlusion(vec3 position, vec3 normal, vec2 turn) {
     // The root's argument is negative inside the sphere.
     sum += (1.0 - sqrt(max(1.0 - r * r / r2, 0.0))) * facing * inversesqrt(r2);
   }
-  return min(sum * kTwoPi / float(sample_count), 1.0);
+  return min(sum * kTwoPi / float(level.z - level.x), 1.0);
 }
 #endif
 
 void main() {
   indirect = vec4(0.0);
 #ifdef OCCLUSION
-  openness = 1.0;
+  cover = vec2(1.0, 0.0);
 #endif
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 receiver = texelFetch(coarse_patches, pixel, 0);
   if (receiver.w == kNoPatch) return;
   vec3 normal = decode_octahedral(texelFetch(coarse_normals, pixel, 0).xy);
   vec2 turn = kernel_turn(pixel);
-  indirect = gather_samples(0, near_count, coarse_patches, coarse_radiance, 1, receiver.xyz, normal, turn);
+  ivec4 level = levels[0];
+#ifdef SAMPLES_BY_DEPTH
+  float share = samples_share(length(receiver.xyz), depth_exponent, depth_scale);
+  level = levels[int(round(log2(share * kMostSamples)))];
+#endif
+  indirect = gather_samples(level.x, level.y, coarse_patches, coarse_radiance, 1, receiver.xyz, normal, turn);
 #ifdef FAR_BLOCK
-  indirect += gather_samples(near_count, sample_count, far_patches, far_radiance, FAR_BLOCK, receiver.xyz, normal, turn);
+  indirect += gather_samples(level.y, level.z, far_patches, far_radiance, FAR_BLOCK, receiver.xyz, normal, turn);
 #endif
 #ifdef WEIGHTING_PAPER
-  indirect *= kTwoPi / float(sample_count) * texelFetch(coarse_radiance, pixel, 0).a;
+  indirect *= kTwoPi / float(level.z - level.x) * texelFetch(coarse_radiance, pixel, 0).a;
 #endif
 #ifdef OCCLUSION
-  openness = 1.0 - occlusion(receiver.xyz, normal, turn);
+  cover.x = 1.0 - occlusion(level, receiver.xyz, normal, turn);
 #endif
 }

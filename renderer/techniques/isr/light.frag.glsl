@@ -4,7 +4,7 @@
 
 layout(binding = 8) uniform sampler2D coarse_depths;  // eye-space z of the patches, 0 where there is none
 layout(binding = 9) uniform sampler2D indirect_in;
-layout(binding = 10) uniform sampler2D openness_in;
+layout(binding = 10) uniform sampler2D cover_in;  // openness; the share of directions that surfaces cover
 layout(binding = 11) uniform sampler2D lit;
 
 uniform int block;
@@ -17,12 +17,12 @@ uniform float k_ssao;
 layout(location = 0) out vec4 image;
 #ifdef KEEP_BUFFERS
 layout(location = 1) out vec4 indirect_out;
-layout(location = 2) out float openness_out;
+layout(location = 2) out vec3 shares_out;  // openness, covered, unknown
 #endif
 
-// Light and openness at a pixel from the four patches around it, which stand for the pixel in the middle of their block.
+// Light and cover at a pixel from the four patches around it, which stand for the pixel in the middle of their block.
 // Depths are compared along the pixel's tangent plane, so that a slanted surface fits itself.
-void upsample(ivec2 pixel, float z, out vec4 indirect, out float openness) {
+void upsample(ivec2 pixel, float z, out vec4 indirect, out vec2 cover) {
   ivec2 from_middle = pixel - middle_of(block);
   ivec2 base = ivec2(floor(vec2(from_middle) / float(block)));
   vec2 f = vec2(from_middle - base * block) / float(block);
@@ -48,14 +48,12 @@ void upsample(ivec2 pixel, float z, out vec4 indirect, out float openness) {
   weight /= dot(weight, vec4(1.0));
 
   indirect = vec4(0.0);
-  openness = 0.0;
+  cover = vec2(0.0);
   for (int i = 0; i < 4; ++i) {
     ivec2 at = clamp(base + ivec2(corner_x[i], corner_y[i]), ivec2(0), coarse_size - 1);
     indirect += weight[i] * texelFetch(indirect_in, at, 0);
 #ifdef OCCLUSION
-    openness += weight[i] * texelFetch(openness_in, at, 0).r;
-#else
-    openness += weight[i];
+    cover += weight[i] * texelFetch(cover_in, at, 0).xy;
 #endif
   }
 }
@@ -65,7 +63,7 @@ void main() {
   float z = gbuffer_z(pixel) * camera_position.w;
 #ifdef KEEP_BUFFERS
   indirect_out = vec4(0.0);
-  openness_out = 1.0;
+  shares_out = vec3(1.0, 0.0, 0.0);
 #endif
 #ifdef INDIRECT_ONLY
   image = vec4(0.0);
@@ -75,8 +73,8 @@ void main() {
   if (z <= 0.0) return;
 
   vec4 gathered;
-  float openness;
-  upsample(pixel, z, gathered, openness);
+  vec2 cover;
+  upsample(pixel, z, gathered, cover);
   vec3 indirect = gathered.rgb;
 #ifdef ENERGY_BOUND
   indirect /= max(gathered.a, 1.0);  // a full hemisphere of form factors adds up to 1
@@ -88,11 +86,11 @@ void main() {
   indirect *= k_isr;
 #if defined(OCCLUSION) && !defined(INDIRECT_ONLY)
   vec3 emission = texelFetch(gbuffer_emission, pixel, 0).rgb;
-  image.rgb = emission + (image.rgb - emission) * clamp(openness + 1.0 - k_ssao, 0.0, 1.0);
+  image.rgb = emission + (image.rgb - emission) * clamp(cover.x + 1.0 - k_ssao, 0.0, 1.0);
 #endif
   image = vec4(image.rgb + indirect, 1.0);
 #ifdef KEEP_BUFFERS
   indirect_out = vec4(indirect, 1.0);
-  openness_out = openness;
+  shares_out = vec3(cover, 1.0 - min(gathered.a, 1.0));
 #endif
 }

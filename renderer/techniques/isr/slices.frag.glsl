@@ -7,6 +7,7 @@
 #include "shaders/frame.glsl"
 #include "shaders/tiles.glsl"
 #include "techniques/isr/dither.glsl"
+#include "techniques/isr/samples_share.glsl"
 #include "techniques/isr/surfel.glsl"
 
 layout(binding = 8) uniform sampler2D coarse_normals;  // shading normals of the patches, octahedral
@@ -15,6 +16,10 @@ layout(binding = 10) uniform sampler2D radiance;  // of the sides towards the ca
 
 uniform int slices;  // planes; each has two sides
 uniform int steps;   // on each side
+#ifdef SAMPLES_BY_DEPTH
+uniform float depth_exponent;
+uniform float depth_scale;  // makes the mean of the steps what it would be
+#endif
 uniform float step_exponent;
 uniform float thickness;  // of what is found, as a share of its distance from the camera
 uniform vec3 background;
@@ -22,6 +27,10 @@ uniform vec3 background;
 // Of a white surface; alpha: the share of directions in which something was seen. SURFEL_RECEIVERS: both sides as in
 // `radiance`; alpha: what the light is worth.
 layout(location = 0) out vec4 indirect;
+#ifdef OCCLUSION
+uniform float occlusion_reach;      // at distance 1 along the camera's axis
+layout(location = 1) out vec2 cover;  // openness; the share of directions that surfaces cover
+#endif
 
 const float kPi = 3.14159265;
 const uint kSectors = 32u;
@@ -102,6 +111,9 @@ struct Receiver {
   vec3 outward;     // the way from the camera, unit
   vec3 side;        // a unit vector across it, and the other one
   vec3 other;
+#ifdef OCCLUSION
+  float occluders;  // how far those are that block
+#endif
 };
 
 Receiver receiver_at(vec3 position) {
@@ -113,11 +125,17 @@ Receiver receiver_at(vec3 position) {
   return r;
 }
 
-// One side of a slice: what its sectors see, and the share of them that saw something, times their part of the light.
-vec4 search(Receiver r, vec3 across, Sectors sectors, float jitter, float dither) {
+struct Found {
+  vec4 light;  // alpha: what of all directions saw something
+  vec2 cover;  // what near surfaces block, and what surfaces cover
+};
+
+// One side of a slice: what its sectors see, times their part of the light.
+Found search(Receiver r, int steps, vec3 across, Sectors sectors, float jitter, float dither) {
   uint covered = 0u;
   vec3 seen = vec3(0.0);
   uint known = 0u;
+  vec2 cover = vec2(0.0);
   int rows = int(eye_up.w);  // of a layer
   int layers = int(eye_forward.w);
   int all_rows = rows * layers;
@@ -161,6 +179,10 @@ vec4 search(Receiver r, vec3 across, Sectors sectors, float jitter, float dither
           covered |= fresh;
           uint count = uint(bitCount(fresh));
           known += count;
+#ifdef OCCLUSION
+          float nearness = max(1.0 - length1 * length1 / (r.occluders * r.occluders), 0.0);
+          cover += float(count) * vec2(nearness, 1.0);
+#endif
           int row = height > 0.0 ? texel.y : texel.y + all_rows;
           seen += float(count) * texelFetch(radiance, ivec2(texel.x, row), 0).rgb;
         }
@@ -181,12 +203,13 @@ vec4 search(Receiver r, vec3 across, Sectors sectors, float jitter, float dither
     before = after;
     ray_before = ray_after;
   }
-  return sectors.total / float(kSectors) * vec4(seen, float(known));
+  float part = sectors.total / float(kSectors);
+  return Found(part * vec4(seen, float(known)), part * cover);
 }
 
-// What a surface at the receiver sees that faces `normal`: light of a white one, and the share of directions known.
-vec4 gather(Receiver r, vec3 normal, float turn, float jitter, float dither) {
-  vec4 sum = vec4(0.0);
+// What a surface at the receiver sees that faces `normal`: light of a white one, and shares of all directions.
+Found gather(Receiver r, int steps, vec3 normal, float turn, float jitter, float dither) {
+  Found sum = Found(vec4(0.0), vec2(0.0));
   float weights = 0.0;
   for (int i = 0; i < slices; ++i) {
     float angle = (float(i) + turn) * kPi / float(slices);
@@ -198,14 +221,18 @@ vec4 gather(Receiver r, vec3 normal, float turn, float jitter, float dither) {
     for (int side = 0; side < 2; ++side) {
       Sectors sectors = make_sectors(projected.x, projected.y);
       if (sectors.total > 1e-6) {
-        sum += size * search(r, across, sectors, fract(jitter + 0.5 * float(side) + 0.38196601 * float(i)), dither);
+        float offset = fract(jitter + 0.5 * float(side) + 0.38196601 * float(i));
+        Found found = search(r, steps, across, sectors, offset, dither);
+        sum.light += size * found.light;
+        sum.cover += size * found.cover;
         weights += size * sectors.total;
       }
       across = -across;
       projected.y = -projected.y;
     }
   }
-  return weights > 0.0 ? sum / weights : vec4(0.0);
+  float scale = weights > 0.0 ? 1.0 / weights : 0.0;
+  return Found(scale * sum.light, scale * sum.cover);
 }
 
 float unit(uint bits) { return (float(bits >> 8) + 0.5) / 16777216.0; }
@@ -232,11 +259,14 @@ void main() {
   vec3 normal = unpack_normal(receiver.w);
   uint h = pixel_hash(pixel);
   float turn = unit(h), jitter = unit(h * 0x9e3779b9u), dither = unit(h * 0x85ebca6bu);
-  indirect = filled(gather(receiver_at(receiver.xyz), back ? -normal : normal, turn, jitter, dither));
+  indirect = filled(gather(receiver_at(receiver.xyz), steps, back ? -normal : normal, turn, jitter, dither).light);
 }
 #else
 void main() {
   indirect = vec4(0.0);
+#ifdef OCCLUSION
+  cover = vec2(1.0, 0.0);
+#endif
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vec4 patch_ = texelFetch(coarse_patches, pixel, 0);
   if (patch_.w == kNoPatch) return;
@@ -244,6 +274,17 @@ void main() {
   mat3 eye = transpose(mat3(eye_right.xyz, eye_up.xyz, eye_forward.xyz));
   Receiver r = receiver_at(eye * patch_.xyz);
   float n = float(tiled_order(pixel)) + 0.5;
-  indirect = gather(r, eye * normal, n / 64.0, fract(n * 0.61803399), fract(n * 0.75487767));
+  int steps_here = steps;
+#ifdef SAMPLES_BY_DEPTH
+  steps_here = int(ceil(float(steps) * samples_share(r.distance_, depth_exponent, depth_scale)));
+#endif
+#ifdef OCCLUSION
+  r.occluders = occlusion_reach * eye_z(patch_.xyz);
+#endif
+  Found found = gather(r, steps_here, eye * normal, n / 64.0, fract(n * 0.61803399), fract(n * 0.75487767));
+  indirect = found.light;
+#ifdef OCCLUSION
+  cover = vec2(1.0 - found.cover.x, found.cover.y);
+#endif
 }
 #endif
