@@ -10,6 +10,7 @@
 #include "reports/formats/junit.h"
 #include "reports/formats/markdown.h"
 #include "reports/formats/res.h"
+#include "reports/formats/svg.h"
 
 namespace lightbench {
 namespace {
@@ -32,6 +33,7 @@ std::span<const ReportFormat> report_formats() {
       {"junit", "junit.xml: gates and tasks as test cases", write_junit},
       {"markdown", "summary.md: means, gates and worst views for a CI step's summary", write_markdown},
       {"res", "res.txt: correlation and mean error of baseline and variant, a line for each view", write_res},
+      {"svg", "cost.svg: the variants' gain over the processor time that a picture takes them", write_svg},
   };
   return table;
 }

@@ -16,7 +16,7 @@ struct ReportFile {
 
 /// A way to write a run: one file pair in formats/ and one row in report_formats.cpp.
 struct ReportFormat {
-  std::string name;  ///< "html", "json", "junit", "markdown", "res"
+  std::string name;  ///< "html", "json", "junit", "markdown", "res", "svg"
   std::string doc;
   std::vector<ReportFile> (*write)(const RunReport& report) = nullptr;
 };

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "reports/ceiling.h"
+#include "reports/cost_chart.h"
 #include "reports/escape.h"
 #include "reports/formats/html_parts.h"
 #include "reports/reference_facts.h"
@@ -192,6 +193,19 @@ std::string number_cell(const std::string& metric, const MetricValue& value, con
                      is_gain ? gain_text(value, ceiling) : value_text(metric_or_plain(metric), value));
 }
 
+namespace {
+
+std::string cost_figure(const RunReport& report) {
+  const std::string chart = cost_chart(report);
+  if (chart.empty()) return "";
+  return "<figure class=\"chart\">" + chart +
+         "<figcaption class=\"note\">Gain and cost of the variants. Those with a name gain more than all "
+         "that take "
+         "less processor time.</figcaption></figure>\n";
+}
+
+}  // namespace
+
 std::string html_summary(const RunReport& report, const ViewRows&) {
   if (report.scores.empty())
     return "<section id=\"summary\"><h2>Summary</h2><p>This run has no scores.</p></section>\n";
@@ -218,7 +232,7 @@ std::string html_summary(const RunReport& report, const ViewRows&) {
       "better.";
   if (std::ranges::any_of(report.references, [&](const auto& r) { return ceiling_variant(report, r.name); }))
     html += " Beside a gain stands its ceiling: what a path-traced image with the reference's bounces gains.";
-  return html + "</p>\n" + reference_table(report) + "</section>\n";
+  return html + "</p>\n" + cost_figure(report) + reference_table(report) + "</section>\n";
 }
 
 std::string html_gates(const RunReport& report) {

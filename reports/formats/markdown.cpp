@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "reports/ceiling.h"
+#include "reports/cost_chart.h"
 #include "reports/escape.h"
 #include "reports/reference_facts.h"
 #include "reports/value_text.h"
@@ -43,6 +44,9 @@ std::string means(const RunReport& report) {
     heading.push_back(cell(metric_heading(metric)));
     rule.push_back("--:");
   }
+  const bool timed = std::ranges::any_of(
+      report.variants, [&](const auto& variant) { return mean_cpu_seconds(report, variant.name) > 0; });
+  if (timed) heading.emplace_back("CPU time"), rule.emplace_back("--:");
   std::string text = "### Means\n\n" + row(heading) + row(rule);
   std::size_t rows = 0;
   for (const ReportImageSource& variant : report.variants) {
@@ -56,6 +60,7 @@ std::string means(const RunReport& report) {
                                               : value_text(metric, mean.mean));
         if (mean.undefined > 0 && mean.count > 0) cells.back() += fmt::format(" (of {})", mean.count);
       }
+      if (timed) cells.push_back(duration_text(mean_cpu_seconds(report, variant.name)));
       text += row(cells);
     }
   }

@@ -1,0 +1,135 @@
+#include "reports/cost_chart.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "reports/escape.h"
+#include "reports/value_text.h"
+
+namespace lightbench {
+namespace {
+
+constexpr std::size_t kFewest = 3;
+constexpr double kWidth = 880, kHeight = 420;
+constexpr double kLeft = 56, kRight = 170, kTop = 16, kBottom = 44;
+constexpr double kLabelHeight = 15;
+constexpr double kLowestGain = -100;  // what is worse than that stands at the lower edge
+
+/// Where values lie in the picture.
+struct Axes {
+  double low_log, high_log;  // of the time, base 10
+  double low_gain, high_gain;
+
+  double x(double seconds) const {
+    return kLeft + (std::log10(seconds) - low_log) / (high_log - low_log) * (kWidth - kLeft - kRight);
+  }
+  double y(double gain) const {
+    const double share = (std::max(gain, low_gain) - low_gain) / (high_gain - low_gain);
+    return kHeight - kBottom - share * (kHeight - kTop - kBottom);
+  }
+};
+
+Axes axes_of(const std::vector<CostPoint>& points) {
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                               [](const auto& a, const auto& b) { return a.gain < b.gain; });
+  Axes axes{std::log10(points.front().seconds) - 0.1, std::log10(points.back().seconds) + 0.1, 0, 0};
+  const double most = std::max(high->gain, 0.0);
+  axes.low_gain = std::floor(std::max(std::min(low->gain, 0.0), kLowestGain) / 10) * 10;
+  axes.high_gain = std::max(std::ceil(most / 10) * 10, axes.low_gain + 10);
+  return axes;
+}
+
+std::string line(double x1, double y1, double x2, double y2, const char* kind) {
+  return fmt::format(R"(<line class="{}" x1="{:.1f}" y1="{:.1f}" x2="{:.1f}" y2="{:.1f}"/>)", kind, x1, y1,
+                     x2, y2);
+}
+
+std::string text(double x, double y, const char* anchor, const std::string& what) {
+  return fmt::format(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>)", x, y, anchor,
+                     escape_markup(what));
+}
+
+std::string grid(const Axes& axes) {
+  std::string svg;
+  const double step = axes.high_gain - axes.low_gain > 100 ? 20 : 10;
+  for (double gain = axes.low_gain; gain <= axes.high_gain; gain += step)
+    svg += line(kLeft, axes.y(gain), kWidth - kRight, axes.y(gain), gain == 0 ? "zero" : "grid") +
+           text(kLeft - 8, axes.y(gain) + 4, "end", fmt::format("{:.0f}", gain));
+  for (double power = std::floor(axes.low_log); power <= axes.high_log; ++power)
+    for (const double digit : {1, 2, 5}) {
+      const double seconds = digit * std::pow(10, power);
+      if (std::log10(seconds) < axes.low_log || std::log10(seconds) > axes.high_log) continue;
+      svg += line(axes.x(seconds), kTop, axes.x(seconds), kHeight - kBottom, "grid") +
+             text(axes.x(seconds), kHeight - kBottom + 16, "middle", duration_text(seconds));
+    }
+  return svg +
+         text((kLeft + kWidth - kRight) / 2, kHeight - 8, "middle", "mean processor time of a picture") +
+         text(kLeft, kTop - 4, "end", "gain %");
+}
+
+/// A point, and its name where nothing beats it; names move up or down to leave each other alone.
+std::string marks(const std::vector<CostPoint>& points, const Axes& axes) {
+  std::string svg;
+  std::vector<double> taken;
+  for (auto point = points.rbegin(); point != points.rend(); ++point) {
+    const double x = axes.x(point->seconds), y = axes.y(point->gain);
+    svg += fmt::format(
+        R"(<circle class="{}" cx="{:.1f}" cy="{:.1f}" r="{}"><title>{}: {:.1f} %, {}</title></circle>)",
+        point->front ? "front" : "other", x, y, point->front ? 5 : 3.5, escape_markup(point->variant),
+        point->gain, duration_text(point->seconds));
+    if (!point->front) continue;
+    double label = y + 4;
+    for (const double other : taken)
+      label = std::abs(label - other) < kLabelHeight ? other + kLabelHeight : label;
+    taken.push_back(label);
+    svg += text(x + 9, label, "start", shortened(clean_utf8(point->variant), 28));
+  }
+  return svg;
+}
+
+constexpr const char* kStyle =
+    "<style>.cost text{font:12px system-ui,sans-serif;fill:#667080}.cost .grid{stroke:#8884;stroke-width:1}"
+    ".cost .zero{stroke:#888;stroke-width:1.5}.cost .front{fill:#2457c5}.cost .other{fill:#8887}</style>";
+
+}  // namespace
+
+double mean_cpu_seconds(const RunReport& report, const std::string& variant) {
+  double sum = 0;
+  int count = 0;
+  for (const ReportImage& image : report.images)
+    if (!image.is_reference && image.source == variant && image.cpu_seconds > 0)
+      sum += image.cpu_seconds, ++count;
+  return count == 0 ? 0 : sum / count;
+}
+
+std::vector<CostPoint> cost_points(const RunReport& report) {
+  std::vector<CostPoint> points;
+  for (const ReportImageSource& variant : report.variants) {
+    if (variant.name == report.baseline) continue;
+    const double seconds = mean_cpu_seconds(report, variant.name);
+    const MeanValue gain = mean_metric(report, "gain", variant.name, report.primary_reference);
+    if (seconds > 0 && gain.mean.value) points.push_back({variant.name, seconds, *gain.mean.value});
+  }
+  std::stable_sort(points.begin(), points.end(),
+                   [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+  double best = -HUGE_VAL;
+  for (CostPoint& point : points) {
+    point.front = point.gain > best;
+    best = std::max(best, point.gain);
+  }
+  return points;
+}
+
+std::string cost_chart(const RunReport& report) {
+  const std::vector<CostPoint> points = cost_points(report);
+  if (points.size() < kFewest) return "";
+  const Axes axes = axes_of(points);
+  return fmt::format(R"(<svg class="cost" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {} {}" role="img" )"
+                     R"(aria-label="Mean gain over processor time">)",
+                     kWidth, kHeight) +
+         kStyle + grid(axes) + marks(points, axes) + "</svg>\n";
+}
+
+}  // namespace lightbench
