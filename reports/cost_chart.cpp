@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kFewest = 3;
 constexpr double kWidth = 880, kHeight = 420;
-constexpr double kLeft = 56, kRight = 170, kTop = 16, kBottom = 44;
-constexpr double kLabelHeight = 15;
+constexpr double kLeft = 56, kRight = 170, kTop = 30, kBottom = 44;
+constexpr double kLabelHeight = 15, kCharacter = 7;
 constexpr double kLowestGain = -100;  // what is worse than that stands at the lower edge
 
 /// Where values lie in the picture.
@@ -66,13 +66,29 @@ std::string grid(const Axes& axes) {
     }
   return svg +
          text((kLeft + kWidth - kRight) / 2, kHeight - 8, "middle", "mean processor time of a picture") +
-         text(kLeft, kTop - 4, "end", "gain %");
+         text(kLeft, kTop - 14, "end", "gain %");
 }
 
-/// A point, and its name where nothing beats it; names move up or down to leave each other alone.
+/// A label's place: from `left` to `right`, on the baseline `y`.
+struct Label {
+  double left, right, y;
+
+  bool meets(const Label& other) const {
+    return left < other.right && other.left < right && std::abs(y - other.y) < kLabelHeight;
+  }
+};
+
+/// Moved down until it leaves the others alone.
+Label settled(Label label, const std::vector<Label>& others) {
+  for (std::size_t i = 0; i < others.size(); ++i)
+    if (label.meets(others[i])) label.y = others[i].y + kLabelHeight, i = std::size_t(-1);
+  return label;
+}
+
+/// A point, and its name where nothing beats it.
 std::string marks(const std::vector<CostPoint>& points, const Axes& axes) {
   std::string svg;
-  std::vector<double> taken;
+  std::vector<Label> labels;
   for (auto point = points.rbegin(); point != points.rend(); ++point) {
     const double x = axes.x(point->seconds), y = axes.y(point->gain);
     svg += fmt::format(
@@ -80,11 +96,10 @@ std::string marks(const std::vector<CostPoint>& points, const Axes& axes) {
         point->front ? "front" : "other", x, y, point->front ? 5 : 3.5, escape_markup(point->variant),
         point->gain, duration_text(point->seconds));
     if (!point->front) continue;
-    double label = y + 4;
-    for (const double other : taken)
-      label = std::abs(label - other) < kLabelHeight ? other + kLabelHeight : label;
-    taken.push_back(label);
-    svg += text(x + 9, label, "start", shortened(clean_utf8(point->variant), 28));
+    const std::string name = shortened(clean_utf8(point->variant), 28);
+    const double left = x + 9;
+    labels.push_back(settled({left, left + kCharacter * double(display_width(name)), y + 4}, labels));
+    svg += text(left, labels.back().y, "start", name);
   }
   return svg;
 }
