@@ -23,18 +23,18 @@ struct ScoreRequest {
 };
 
 struct Score {
-  Image8 image;  ///< three components, as all of these
-  Image8 reference;
-  Image8 baseline;                ///< empty without one
+  Image8 image = {};  ///< three components, as all of these
+  Image8 reference = {};
+  Image8 baseline = {};           ///< empty without one
   std::size_t masked_pixels = 0;  ///< that masked metrics look at
-  std::map<std::string, MetricValue> metrics;
+  std::map<std::string, MetricValue> metrics = {};
 };
 
 /// Reads the images on the 0..255 scale and computes the metrics. A metric that needs a baseline where there
 /// is none is undefined. Throws Error for unreadable images, NaN, and other sizes.
 Score compute_score(const ScoreRequest& request);
 
-/// The metrics as JSON.
+/// The metrics and the number of masked pixels as JSON.
 std::string score_json(const Score& score);
 
 }  // namespace lightbench

@@ -1,12 +1,14 @@
+#include "reports/compare.h"
+
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
 
-#include "base/image_io.h"
 #include "base/text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/score.h"
 #include "pipeline/tables.h"
+#include "reports/escape.h"
 
 namespace lightbench {
 namespace {
@@ -23,37 +25,33 @@ struct CompareParams {
   bool json = false;
 };
 
-void print_scores(const Score& score, const std::vector<std::string>& names) {
-  for (const auto& name : names) {
+void print_table(const CompareResult& result) {
+  for (const auto& [name, value] : result.metrics) {
     const Metric& metric = find_metric(name, "");
-    const MetricValue& value = score.metrics.at(name);
     if (value.value)
       std::printf("%-20s %12.*f %s\n", name.c_str(), metric.decimals, *value.value, metric.unit.c_str());
     else
       std::printf("%-20s %12s (%s)\n", name.c_str(), "undefined", value.undefined_because.c_str());
   }
+  std::printf("%zu of %d x %d pixels count in masked metrics (%s)\n", result.mask_pixels, result.width,
+              result.height, plain_line(result.mask_source).c_str());
 }
 
 ExitCode run_compare(const CompareParams& params) {
-  ScoreRequest request{.image = params.image,
-                       .reference = params.reference,
-                       .baseline = params.baseline,
-                       .mask = params.mask,
-                       .metrics = params.metrics};
-  for (const auto& name : params.metrics) find_metric(name, "--metric");
-  if (request.metrics.empty())
-    for (const auto& metric : metrics())
-      if (!metric.needs_ambient_fit && (!metric.needs_baseline || !params.baseline.empty()))
-        request.metrics.push_back(metric.name);
-  request.use_reference_alpha = false;
-  const Score score = compute_score(request);
+  const CompareResult result = compare_files({.reference = params.reference,
+                                              .image = params.image,
+                                              .baseline = params.baseline,
+                                              .mask = params.mask,
+                                              .metrics = params.metrics,
+                                              .difference = params.difference,
+                                              .heat = params.heat,
+                                              .heat_scale = params.heat_scale});
   if (params.json)
-    std::printf("%s", score_json(score).c_str());
+    std::printf("%s", score_json({.masked_pixels = result.mask_pixels,
+                                  .metrics = {result.metrics.begin(), result.metrics.end()}})
+                          .c_str());
   else
-    print_scores(score, request.metrics);
-  if (!params.difference.empty())
-    write_png(params.difference, difference_image(score.reference, score.image));
-  if (!params.heat.empty()) write_png(params.heat, heat_map(score.reference, score.image, params.heat_scale));
+    print_table(result);
   return ExitCode::ok;
 }
 
@@ -72,9 +70,10 @@ void add_compare_command(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--baseline", params->baseline, "Picture that gain and quality are measured against");
-  command->add_option(
-      "--mask", params->mask,
-      "Picture whose alpha (or grey) of at least half marks the pixels of masked metrics; default: all");
+  command->add_option("--mask", params->mask,
+                      "Picture that marks the pixels of masked metrics: by an alpha of at least half, or "
+                      "without one by a colour "
+                      "that is not black; default: the truth's alpha, if it has one");
   command->add_option("--diff", params->difference, "Write the negative of the absolute error (PNG)");
   command->add_option("--heat", params->heat, "Write the error as a heat map with a colour bar (PNG)");
   command->add_option("--heat-scale", params->heat_scale, "Error at the end of the colour bar, of 255")

@@ -112,6 +112,15 @@ TEST_F(Cli, CompareRefusesOtherSizes) {
   EXPECT_FALSE(std::filesystem::exists(path("d.png")));
 }
 
+TEST_F(Cli, CompareNeverOverwritesWhatItCompares) {
+  write_png(path("a.png"), Image8(4, 3, 3, 10));
+  write_png(path("b.png"), Image8(4, 3, 3, 30));
+  const auto result = run({"compare", "a.png", "b.png", "--diff", "a.png"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("would be overwritten"));
+  EXPECT_EQ(read_image_srgb8(path("a.png")).data[0], 10);
+}
+
 TEST_F(Cli, CompareRefusesWhatIsNoNumber) {
   Image image(2, 2, 3, 0.5f);
   image.data[4] = std::numeric_limits<float>::quiet_NaN();
