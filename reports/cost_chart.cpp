@@ -74,11 +74,11 @@ struct Label {
   double left, right, y;
 
   bool meets(const Label& other) const {
-    return left < other.right && other.left < right && std::abs(y - other.y) < kLabelHeight;
+    return left < other.right && other.left < right && std::abs(y - other.y) < kLabelHeight - 0.5;
   }
 };
 
-/// Moved down until it leaves the others alone.
+/// Moved down until it leaves the others alone; each move is by more than what still meets.
 Label settled(Label label, const std::vector<Label>& others) {
   for (std::size_t i = 0; i < others.size(); ++i)
     if (label.meets(others[i])) label.y = others[i].y + kLabelHeight, i = std::size_t(-1);

@@ -71,7 +71,8 @@ std::vector<ParamSpec> isr_params() {
       integer("layers", 1, 1, 8, "surfaces that are kept along a ray, nearest first"),
       choice("layer_faces", {"front", "all"},
              "which surfaces behind the first one are kept: those that face the camera as they were "
-             "modelled, or all"),
+             "modelled, or all: then a ray that ends before its last layer is known to meet nothing but the "
+             "background"),
       choice("cameras", {"none", "cube"},
              "cube: six more pictures all around the camera, gathered from where the wide picture does not "
              "reach"),
@@ -153,13 +154,14 @@ std::vector<ParamPreset> isr_presets() {
       {"best",
        {{"visibility", "bitmask"},
         {"slices", 2LL},
-        {"steps", 96LL},
+        {"steps", 64LL},
         {"guard_resolution", 1LL},
-        {"layers", 2LL},
+        {"layers", 4LL},
+        {"layer_faces", "all"},
         {"cameras", "cube"},
         {"bounces", 2LL},
         {"unknown", "ambient"}},
-       "visibility all around the camera and behind what is seen, two bounces"},
+       "visibility all around the camera and through four layers, two bounces"},
       {"fast",
        {{"visibility", "bitmask"},
         {"slices", 1LL},

@@ -87,6 +87,7 @@ const Program& slices_program(FrameContext& frame, const ParamValues& params, co
   const float thickness = float(params.number("thickness"));
   if (thickness > 0) defines.emplace_back("THICKNESS");
   if (params.text("unknown") == "ambient") defines.emplace_back("UNKNOWN_AMBIENT");
+  if (params.text("layer_faces") == "all") defines.emplace_back("ALL_FACES");
   if (params.number("step_exponent") == 2) defines.emplace_back("STEPS_SQUARED");
   const Program& program = frame.fullscreen_program("techniques/isr/slices.frag.glsl", defines);
   program.set("slices", effort.slices);

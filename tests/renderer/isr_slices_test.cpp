@@ -142,6 +142,24 @@ TEST(GlIsrSlices, TheBackgroundIsKnown) {
   EXPECT_EQ(range_of(render_isr(scene, view, params).buffers.at("indirect")).second, 0);
 }
 
+// A screen beside the camera hides a quarter of the sky; the floor behind it sees all of it.
+TEST(GlIsrSlices, TheBackgroundBehindTheLastSurfaceIsKnown) {
+  Scene scene = floor_scene();
+  scene.background.color = glm::vec3(0.4f);
+  scene.materials.push_back(matte(glm::vec3(0)));
+  add_quad(scene, {-3, 1.8f, 4.5f}, {6, 0, 0}, {0, 3, 0}, 1);
+  const View view = view_from({0, 2, 5}, {0, 0, 0}, 0.9f);
+  const auto unknown = [&](const char* faces) {
+    const Params params = bitmask({{"layers", 3LL}, {"layer_faces", faces}});
+    const FrameResult frame =
+        render(scene, view,
+               {.technique = "isr", .params = params, .width = 128, .height = 96, .buffers = {"unknown"}});
+    return frame.buffers.at("unknown").pixel(64, 70)[0];
+  };
+  EXPECT_GT(unknown("front"), 0.05);
+  EXPECT_LT(unknown("all"), 0.01);
+}
+
 TEST(GlIsrSlices, AWiderPictureSeesMore) {
   Scene scene = furnace();
   double before = 0;

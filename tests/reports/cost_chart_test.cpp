@@ -75,6 +75,13 @@ TEST_F(CostChart, NeedsThreeVariants) {
   EXPECT_THAT(cost_chart(report_), ::testing::StartsWith("<svg"));
 }
 
+TEST_F(CostChart, ManyLikeVariantsFindTheirPlaces) {
+  for (int i = 0; i < 60; ++i) add("variant " + std::to_string(i), 50 + 0.01 * i, 1 + 0.001 * i);
+  const std::string chart = cost_chart(report_);
+  for (int i = 0; i < 60; ++i)
+    EXPECT_THAT(chart, ::testing::HasSubstr(">variant " + std::to_string(i) + "</text>"));
+}
+
 TEST_F(CostChart, NamesAreText) {
   add("</text><script>", 20, 1);
   add("b", 30, 2);

@@ -106,6 +106,9 @@ vec2 search_angle(float share) {
   return vec2(1.0 - 2.0 * s * s, 2.0 * s * quarter_sine(1.0 - u));
 }
 
+const int kJoinedLayers = 4;
+const vec3 kNoPiece = vec3(-1e30, 0.0, 0.0);
+
 struct Receiver {
   float distance_;  // from the camera
   vec3 outward;     // the way from the camera, unit
@@ -142,6 +145,8 @@ Found search(Receiver r, int steps, vec3 across, Sectors sectors, float jitter, 
   float step_share = 1.0 / float(steps);
   vec2 before = vec2(1.0, 0.0);  // cosine and sine of T where the step begins
   vec3 ray_before = r.outward;
+  vec3 last[kJoinedLayers];  // of the pieces of the step before: where they end, by how much t changes, and their place
+  for (int layer = 0; layer < kJoinedLayers; ++layer) last[layer] = kNoPiece;
   for (int i = 0; i <= steps; ++i) {
     float share = min((float(i) + jitter) * step_share, 1.0);
     vec2 after = search_angle(share);
@@ -152,8 +157,11 @@ Found search(Receiver r, int steps, vec3 across, Sectors sectors, float jitter, 
     for (int layer = 0; layer < layers; ++layer) {
       vec4 surfel = texelFetch(surfels, texel, 0);
       if (!is_surface(surfel)) {
+        for (int other = layer; other < kJoinedLayers; ++other) last[other] = kNoPiece;
+#ifndef ALL_FACES
         if (layer > 0) break;
-        // Infinitely far: A and T add up to pi.
+#endif
+        // Infinitely far: A and T add up to pi. So it is behind the last surface, where all were kept.
         uint fresh = sector_mask(place_of(sectors, -before.x, before.y), place_of(sectors, -after.x, after.y), dither) & ~covered;
         covered |= fresh;
         uint count = uint(bitCount(fresh));
@@ -169,11 +177,15 @@ Found search(Receiver r, int steps, vec3 across, Sectors sectors, float jitter, 
       vec2 end0 = vec2(r.distance_ - t0 * before.x, t0 * before.y);
       vec2 end1 = vec2(r.distance_ - t1 * after.x, t1 * after.y);
       float length1 = length(end1);
+      float change = abs(t1 - t0);
       if (abs(height) > (kOwnPlane * length1 + kRounding * r.distance_) * z) {
         vec2 d0 = end0 / max(length(end0), 1e-20);
         vec2 d1 = end1 / max(length1, 1e-20);
-        float place0 = place_of(sectors, d0.x, d0.y);
+        // Surfaces that meet in one of the two steps leave no gap between their pieces.
+        bool joined = layer < kJoinedLayers && abs(t0 - last[layer].x) <= last[layer].y + change;
+        float place0 = joined ? last[layer].z : place_of(sectors, d0.x, d0.y);
         float place1 = place_of(sectors, d1.x, d1.y);
+        if (layer < kJoinedLayers) last[layer] = vec3(t1, change, place1);
         uint fresh = sector_mask(place0, place1, dither) & ~covered;
         if (fresh != 0u) {
           covered |= fresh;
@@ -196,6 +208,8 @@ Found search(Receiver r, int steps, vec3 across, Sectors sectors, float jitter, 
         float place3 = place_of(sectors, deep1.x, deep1.y);
         covered |= sector_mask(min(min(place0, place1), min(place2, place3)), max(max(place0, place1), max(place2, place3)), dither);
 #endif
+      } else if (layer < kJoinedLayers) {
+        last[layer] = vec3(t1, change, 1.0);  // the receiver's own plane is its horizon
       }
       texel.y += rows;
     }
