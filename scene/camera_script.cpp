@@ -1,21 +1,20 @@
 #include "scene/camera_script.h"
 
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "scene/motion.h"
 #include "scene/scene_json.h"
 
 namespace lightbench {
 
 namespace {
 
-// A view direction and an up vector closer than this (sine of the angle) give no usable frame in 32-bit
-// floats.
-constexpr float kSmallestSine = 1e-4f;
+constexpr int kLastFrame = 1000000;
 
 // The shortest text of a float, which reads back to the same float.
 std::string number(float x) {
@@ -40,12 +39,80 @@ std::string degrees_text(float radians) {
   return fmt::format("{}", exact);
 }
 
-void check_frame(const JsonValue& value, const Camera& camera) {
-  const glm::vec3 view = camera.look_at - camera.position;
-  if (!(glm::length(view) > 0)) value.fail("the camera's position is its look_at");
-  if (!(glm::length(camera.up) > 0)) value.fail("the camera's up is zero");
-  const float sine = glm::length(glm::cross(glm::normalize(view), glm::normalize(camera.up)));
-  if (!(sine > kSmallestSine)) value.fail("the camera's up is along its view");
+// What a view, or one of its keyframes, says of its camera.
+struct CameraPatch {
+  std::optional<glm::vec3> position;
+  std::optional<glm::vec3> look_at;
+  std::optional<glm::vec3> up;
+  std::optional<float> fov;
+};
+
+// Keys that are not there are as in `defaults`.
+CameraPatch read_patch(JsonObject& object, const CameraPatch& defaults = {}) {
+  CameraPatch patch = defaults;
+  if (const auto position = object.find("position")) patch.position = read_point(*position);
+  if (const auto look_at = object.find("look_at")) patch.look_at = read_point(*look_at);
+  if (const auto up = object.find("up")) patch.up = read_point(*up);
+  if (const auto fov = object.find("fov")) {
+    const double degrees = fov->number();
+    if (!(degrees > 0 && degrees < 180)) fov->fail("fov must lie between 0 and 180 degrees");
+    patch.fov = to_radians(degrees);
+  }
+  return patch;
+}
+
+Camera camera_of(const CameraPatch& patch, const JsonObject& object) {
+  if (!patch.position) object.fail("the key 'position' is missing");
+  if (!patch.look_at) object.fail("the key 'look_at' is missing");
+  Camera camera;
+  camera.position = *patch.position;
+  camera.look_at = *patch.look_at;
+  camera.up = patch.up.value_or(camera.up);
+  camera.fov = patch.fov.value_or(camera.fov);
+  const std::string problem = camera_problem(camera);
+  if (!problem.empty()) object.fail(problem);
+  return camera;
+}
+
+std::vector<CameraKey> read_camera_keys(const JsonValue& list, const CameraPatch& defaults) {
+  std::vector<CameraKey> keys;
+  for (Keyframe& keyframe : read_keyframes(list)) {
+    const CameraPatch patch = read_patch(keyframe.object, defaults);
+    keyframe.object.finish();
+    keys.push_back({keyframe.time, camera_of(patch, keyframe.object)});
+  }
+  return keys;
+}
+
+SequenceFrame read_frame(JsonObject object) {
+  SequenceFrame frame;
+  frame.sequence = object.at("of").text();
+  frame.number = int(object.at("number").integer(0, kLastFrame));
+  object.finish();
+  return frame;
+}
+
+std::string camera_text(const Camera& c) {
+  return fmt::format("\"position\": {}, \"look_at\": {}, \"up\": {}, \"fov\": {}", array(c.position),
+                     array(c.look_at), array(c.up), degrees_text(c.fov));
+}
+
+std::string quoted(const std::string& text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string view_text(const View& view) {
+  std::string text = fmt::format("    {{\"name\": {}, {}", quoted(view.name), camera_text(view.camera));
+  if (view.time != 0) text += fmt::format(", \"time\": {}", view.time);
+  if (view.frame)
+    text += fmt::format(", \"frame\": {{\"of\": {}, \"number\": {}}}", quoted(view.frame->sequence),
+                        view.frame->number);
+  const char* separator = ", \"keyframes\": [";
+  for (const CameraKey& key : view.keyframes) {
+    text += fmt::format("{}\n      {{\"time\": {}, {}}}", separator, key.time, camera_text(key.camera));
+    separator = ",";
+  }
+  return text + (view.keyframes.empty() ? "}" : "]}");
 }
 
 }  // namespace
@@ -53,19 +120,20 @@ void check_frame(const JsonValue& value, const Camera& camera) {
 View read_view(const JsonValue& value) {
   JsonObject object = value.object();
   View view;
+  view.where = value.where();
   view.name = object.at("name").text();
   if (view.name.empty()) object.at("name").fail("a view's name must not be empty");
-  view.camera.position = read_point(object.at("position"));
-  view.camera.look_at = read_point(object.at("look_at"));
-  if (const auto up = object.find("up")) view.camera.up = read_point(*up);
-  if (const auto fov = object.find("fov")) {
-    const double degrees = fov->number();
-    if (!(degrees > 0 && degrees < 180)) fov->fail("fov must lie between 0 and 180 degrees");
-    view.camera.fov = to_radians(degrees);
-  }
+  const CameraPatch patch = read_patch(object);
+  if (const auto time = object.find("time")) view.time = read_time(*time);
+  if (const auto frame = object.find("frame")) view.frame = read_frame(frame->object());
+  const auto keyframes = object.find("keyframes");
   object.finish();
-  check_frame(value, view.camera);
-  return view;
+  if (!keyframes) {
+    view.camera = camera_of(patch, object);
+    return view;
+  }
+  view.keyframes = read_camera_keys(*keyframes, patch);
+  return view_at(view, view.time);
 }
 
 std::vector<View> read_camera_script(const std::filesystem::path& file) {
@@ -87,12 +155,7 @@ std::string camera_script_text(const std::vector<View>& views) {
   std::string text = "{\n  \"views\": [";
   const char* separator = "\n";
   for (const View& view : views) {
-    const Camera& c = view.camera;
-    text += separator;
-    text +=
-        fmt::format("    {{\"name\": {}, \"position\": {}, \"look_at\": {}, \"up\": {}, \"fov\": {}}}",
-                    nlohmann::json(view.name).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
-                    array(c.position), array(c.look_at), array(c.up), degrees_text(c.fov));
+    text += separator + view_text(view);
     separator = ",\n";
   }
   return text + "\n  ]\n}\n";

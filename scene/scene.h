@@ -55,10 +55,26 @@ struct Mesh {
   std::vector<MeshPart> parts;  ///< cover all triangles, in order
 };
 
+/// Where a moving entity stands at a time: scaled, then turned about x, then y, then z, then moved. The scale
+/// is not 0, and of the same sign in all keyframes of a motion.
+struct MotionKey {
+  double time = 0;  ///< seconds
+  glm::dvec3 translate{0};
+  glm::dvec3 rotate{0};  ///< degrees
+  glm::dvec3 scale{1};
+};
+
+/// How an entity moves; scene/motion.h says where it is at a time.
+struct Motion {
+  glm::mat4 rest{1};            ///< the transform that the keyframes are applied after
+  std::vector<MotionKey> keys;  ///< times rise strictly; empty: it stands still
+};
+
 struct Entity {
   std::string name;
   int mesh = 0;
-  glm::mat4 transform{1};  ///< object to world, affine, not singular
+  glm::mat4 transform{1};  ///< object to world, affine, not singular; of a moving entity, at Scene::time
+  Motion motion = {};
 };
 
 struct Attenuation {
@@ -119,9 +135,25 @@ struct CameraFrame {
 };
 CameraFrame camera_frame(const Camera& camera);
 
+struct CameraKey {
+  double time = 0;  ///< seconds
+  Camera camera;
+};
+
+/// Which frame of which sequence a view is. Each frame is a still view of its own; only what compares frames
+/// looks at this.
+struct SequenceFrame {
+  std::string sequence;
+  int number = 0;  ///< from 0 on
+};
+
 struct View {
   std::string name;
-  Camera camera;
+  Camera camera;    ///< at `time`
+  double time = 0;  ///< seconds; where moving entities stand
+  std::optional<SequenceFrame> frame = {};
+  std::vector<CameraKey> keyframes = {};  ///< times rise strictly; empty: the camera stands still
+  std::string where = {};                 ///< the place in the camera script, for errors
 };
 
 /// Who made a piece of the scene, for the report.
@@ -147,6 +179,7 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Mesh> meshes;
   std::vector<Entity> entities;
+  double time = 0;  ///< seconds; where moving entities stand: `set_time` changes it
   std::vector<Light> lights;
   Background background;
   std::optional<float> near;  ///< as given by the scene file
@@ -156,6 +189,7 @@ struct Scene {
   std::vector<std::filesystem::path> files;  ///< everything that was read, in order
 };
 
+/// Of all entities, moving ones where they stand at Scene::time.
 Bounds world_bounds(const Scene& scene);
 std::size_t triangle_count(const Scene& scene);  ///< of all entities, instances counted each
 

@@ -17,10 +17,12 @@
 #include "scene/box_mesh.h"
 #include "scene/emitting_surface.h"
 #include "scene/light_json.h"
+#include "scene/motion.h"
 #include "scene/nearest_surface.h"
 #include "scene/obj_loader.h"
 #include "scene/scene_check.h"
 #include "scene/scene_json.h"
+#include "scene/transform.h"
 
 namespace lightbench {
 namespace fs = std::filesystem;
@@ -52,7 +54,7 @@ class SceneLoader {
     file_ = file;
     scene_.name = file.stem().string();
     try {
-      add_entities(model(file, kDefaultCreaseAngle), scene_.name, glm::mat4(1));
+      add_entities(model(file, kDefaultCreaseAngle), {.name = scene_.name});
     } catch (const Error& error) {
       problems_.add(error);
     }
@@ -130,29 +132,35 @@ class SceneLoader {
   }
 
   void read_obj_entity(KeyReader& keys) {
-    std::string name;
-    glm::mat4 transform(1);
+    Entity entity;
     glm::mat4 up(1);
     double crease_angle = kDefaultCreaseAngle;
     std::optional<PlacedModel> placed;
-    keys.optional("name", [&](const JsonValue& v) { name = v.text(); });
+    read_place(keys, entity);
     keys.optional("up", [&](const JsonValue& v) {
-      if (v.choice({"y", "z"}) == "z") up = rotation_degrees({-90, 0, 0});
+      if (v.choice({"y", "z"}) == "z") up = glm::mat4(rotation_degrees({-90, 0, 0}));
     });
     keys.optional("crease_angle", [&](const JsonValue& v) { crease_angle = v.number(0, 180); });
-    keys.optional("transform", [&](const JsonValue& v) { transform = read_transform(v); });
     keys.required("obj", [&](const JsonValue& v) {
       const fs::path file = resolve_path(v.text(), file_.parent_path(), v.where());
-      if (name.empty()) name = file.stem().string();
+      if (entity.name.empty()) entity.name = file.stem().string();
       // An OBJ that is not there is a problem of this key.
       std::error_code ignored;
       if (!fs::exists(file, ignored)) v.fail(fmt::format("there is no file '{}'", file.string()));
       placed = model(file, crease_angle);
     });
     keys.optional("size", [&](const JsonValue& v) {
-      if (placed) transform = transform * fit(v, *placed, up);
+      if (placed) entity.transform = entity.transform * fit(v, *placed, up);
     });
-    if (placed) add_entities(*placed, name, transform * up);
+    entity.transform = entity.transform * up;
+    if (placed) add_entities(*placed, entity);
+  }
+
+  // What all kinds of entities say of where they stand.
+  static void read_place(KeyReader& keys, Entity& entity) {
+    keys.optional("name", [&](const JsonValue& v) { entity.name = v.text(); });
+    keys.optional("transform", [&](const JsonValue& v) { entity.transform = read_transform(v); });
+    keys.optional("keyframes", [&](const JsonValue& v) { entity.motion.keys = read_motion(v); });
   }
 
   // Scales the turned model to a box that stands centred on its footprint.
@@ -172,12 +180,10 @@ class SceneLoader {
   }
 
   void read_box_entity(KeyReader& keys) {
-    std::string name = "box";
+    Entity entity{.name = "box"};
     Bounds box;
-    glm::mat4 transform(1);
     MaterialPatch patch;
-    keys.optional("name", [&](const JsonValue& v) { name = v.text(); });
-    keys.optional("transform", [&](const JsonValue& v) { transform = read_transform(v); });
+    read_place(keys, entity);
     keys.optional("material", [&](const JsonValue& v) { patch = read_material_patch(v, problems_); });
     keys.required("box", [&](const JsonValue& v) {
       JsonObject object = v.object();
@@ -191,10 +197,11 @@ class SceneLoader {
     });
     if (box.empty()) return;
     Material& material = scene_.materials.emplace_back();
-    material.name = name;
+    material.name = entity.name;
     patch.apply(material);
-    scene_.meshes.push_back(box_mesh(name, box, int(scene_.materials.size()) - 1));
-    scene_.entities.push_back({name, int(scene_.meshes.size()) - 1, transform});
+    scene_.meshes.push_back(box_mesh(entity.name, box, int(scene_.materials.size()) - 1));
+    entity.mesh = int(scene_.meshes.size()) - 1;
+    add_entity(entity);
   }
 
   // The model of an OBJ file, read at its first use.
@@ -220,12 +227,20 @@ class SceneLoader {
     return placed;
   }
 
-  void add_entities(const PlacedModel& placed, const std::string& name, const glm::mat4& transform) {
+  // An entity like `whole` for each mesh of the model.
+  void add_entities(const PlacedModel& placed, const Entity& whole) {
     for (int i = placed.first_mesh; i < placed.first_mesh + placed.mesh_count; ++i) {
       const std::string& part = scene_.meshes[std::size_t(i)].name;
-      const bool alone = placed.mesh_count == 1 || part.empty();
-      scene_.entities.push_back({alone ? name : name + "/" + part, i, transform});
+      Entity entity = whole;
+      entity.mesh = i;
+      if (placed.mesh_count > 1 && !part.empty()) entity.name += "/" + part;
+      add_entity(std::move(entity));
     }
+  }
+
+  void add_entity(Entity entity) {
+    entity.motion.rest = entity.transform;
+    scene_.entities.push_back(std::move(entity));
   }
 
   void read_overrides(const JsonValue& value) {
@@ -266,6 +281,7 @@ class SceneLoader {
   LoadedScene finish() {
     for (const fs::path& texture : textures_.files()) scene_.files.push_back(texture);
     scene_.textures = textures_.take_textures();
+    set_time(scene_, 0);
     check_scene(scene_, file_, problems_);
     return {std::move(scene_), problems_.all()};
   }

@@ -3,45 +3,26 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/trigonometric.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "base/error.h"
+#include "scene/transform.h"
 
 namespace lightbench {
 namespace {
 
 constexpr double kLargestCoordinate = 1e15;
 constexpr double kLargestColor = 1e6;
+constexpr double kLargestTime = 1e6;
 
 // A matrix whose volume is below this share of its columns' lengths is flat in 32-bit floats.
 constexpr double kSmallestVolume = 1e-6;
 
 float share_or_factor(const JsonValue& value, double max) {
   return float(value.number(0, max));
-}
-
-// Exact for multiples of 90 degrees, so that turned boxes stay boxes.
-double cosine_degrees(double degrees) {
-  const double turned = std::fmod(std::abs(degrees), 360.0);
-  if (turned == 90 || turned == 270) return 0;
-  if (turned == 180) return -1;
-  return std::cos(glm::radians(turned));
-}
-double sine_degrees(double degrees) {
-  return cosine_degrees(degrees - 90.0);
-}
-
-// Rotation about axis 0, 1 or 2, right-handed.
-glm::dmat4 rotation(int axis, double degrees) {
-  const int u = (axis + 1) % 3;
-  const int v = (axis + 2) % 3;
-  glm::dmat4 m(1);
-  m[u][u] = m[v][v] = cosine_degrees(degrees);
-  m[u][v] = sine_degrees(degrees);
-  m[v][u] = -m[u][v];
-  return m;
 }
 
 void check_not_singular(const JsonValue& value, const glm::dmat4& m) {
@@ -91,10 +72,6 @@ glm::vec3 read_color(const JsonValue& value) {
   return glm::vec3(c);
 }
 
-glm::mat4 rotation_degrees(const glm::dvec3& degrees) {
-  return glm::mat4(rotation(2, degrees.z) * rotation(1, degrees.y) * rotation(0, degrees.x));
-}
-
 glm::mat4 read_transform(const JsonValue& value) {
   JsonObject object = value.object();
   glm::dmat4 m(1);
@@ -108,14 +85,47 @@ glm::mat4 read_transform(const JsonValue& value) {
     const auto scale = object.find("scale");
     object.finish();
     if (translate) m = glm::translate(m, glm::dvec3(read_point(*translate)));
-    if (rotate) {
-      const glm::dvec3 degrees = rotate->vec3();
-      m = m * rotation(2, degrees.z) * rotation(1, degrees.y) * rotation(0, degrees.x);
-    }
+    if (rotate) m = m * rotation_degrees(rotate->vec3());
     if (scale) m = glm::scale(m, read_scale(*scale));
   }
   check_not_singular(value, m);
   return glm::mat4(m);
+}
+
+double read_time(const JsonValue& value) {
+  return value.number(-kLargestTime, kLargestTime);
+}
+
+std::vector<Keyframe> read_keyframes(const JsonValue& list) {
+  std::vector<Keyframe> keyframes;
+  for (const JsonValue& item : list.items()) {
+    JsonObject object = item.object();
+    const JsonValue value = object.at("time");
+    const double time = read_time(value);
+    if (!keyframes.empty() && time <= keyframes.back().time)
+      value.fail(
+          fmt::format("the times of keyframes must rise: {} is not after {}", time, keyframes.back().time));
+    keyframes.push_back({time, std::move(object)});
+  }
+  if (keyframes.size() < 2) list.fail("there must be at least two keyframes");
+  return keyframes;
+}
+
+std::vector<MotionKey> read_motion(const JsonValue& list) {
+  std::vector<MotionKey> keys;
+  for (Keyframe& keyframe : read_keyframes(list)) {
+    MotionKey key{.time = keyframe.time};
+    if (const auto translate = keyframe.object.find("translate")) key.translate = read_point(*translate);
+    if (const auto rotate = keyframe.object.find("rotate")) key.rotate = rotate->vec3();
+    if (const auto scale = keyframe.object.find("scale")) key.scale = read_scale(*scale);
+    keyframe.object.finish();
+    if (glm::any(glm::equal(key.scale, glm::dvec3(0))))
+      keyframe.object.fail("a scale of 0 makes the model flat");
+    if (!keys.empty() && glm::sign(key.scale) != glm::sign(keys.back().scale))
+      keyframe.object.fail("the scale changes its sign: on the way the model would be flat");
+    keys.push_back(key);
+  }
+  return keys;
 }
 
 Credit read_credit(const JsonValue& value) {

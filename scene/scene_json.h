@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -23,7 +24,18 @@ glm::vec3 read_color(const JsonValue& value);
 
 /// {"translate", "rotate", "scale"} or {"matrix"}; affine and not singular.
 glm::mat4 read_transform(const JsonValue& value);
-glm::mat4 rotation_degrees(const glm::dvec3& degrees);  ///< about x, then y, then z
+
+double read_time(const JsonValue& value);  ///< seconds, at most a million
+
+/// One of a list of keyframes; the caller reads the other keys and finishes the object.
+struct Keyframe {
+  double time;
+  JsonObject object;
+};
+/// At least two, their times rising strictly.
+std::vector<Keyframe> read_keyframes(const JsonValue& list);
+/// [{"time", "translate", "rotate", "scale"}, ...]; what a keyframe does not say is 0, 0 and 1.
+std::vector<MotionKey> read_motion(const JsonValue& list);
 
 Credit read_credit(const JsonValue& value);
 

@@ -104,5 +104,60 @@ RC_GTEST_PROP(CameraScript, TextReadsBackToTheSameFloats, (int seed)) {
   RC_ASSERT(read.camera.fov == view.camera.fov);
 }
 
+std::string view_with_keyframes(const std::string& first, const std::string& second) {
+  return R"({"name": "a", "look_at": [0, 0, 0], "keyframes": [)" + first + ", " + second + "]}";
+}
+
+TEST(CameraScript, KeyframesTakeWhatTheyLackFromTheView) {
+  const SceneTestFiles files;
+  const auto views = read_camera_script(files.write("c.json", R"({"views": [
+      {"name": "a", "look_at": [0, 1, 0], "fov": 40, "keyframes": [
+          {"time": -1, "position": [0, 0, 4]}, {"time": 1, "position": [2, 0, 4], "fov": 60}]}]})"));
+  ASSERT_EQ(views[0].keyframes.size(), 2u);
+  EXPECT_EQ(views[0].keyframes[1].camera.look_at, glm::vec3(0, 1, 0));
+  EXPECT_FLOAT_EQ(views[0].keyframes[0].camera.fov, glm::radians(40.0f));
+  EXPECT_EQ(views[0].camera.position, glm::vec3(1, 0, 4)) << "the camera at time 0";
+}
+
+TEST(CameraScript, AViewIsAtItsTime) {
+  const SceneTestFiles files;
+  const auto views = read_camera_script(files.write("c.json", R"({"views": [
+      {"name": "a", "look_at": [0, 0, 0], "time": 3, "keyframes": [
+          {"time": 2, "position": [0, 0, 4]}, {"time": 4, "position": [2, 0, 4]}]}]})"));
+  EXPECT_EQ(views[0].time, 3);
+  EXPECT_EQ(views[0].camera.position, glm::vec3(1, 0, 4));
+}
+
+TEST(CameraScript, RejectsKeyframesThatDoNotRise) {
+  EXPECT_THAT(error_of_script(view_with_keyframes(R"({"time": 1, "position": [0, 0, 1]})",
+                                                  R"({"time": 1, "position": [0, 0, 2]})")),
+              AllOf(HasSubstr("$.views[0].keyframes[1].time"), HasSubstr("1 is not after 1")));
+}
+
+TEST(CameraScript, RejectsASingleKeyframe) {
+  EXPECT_THAT(error_of_script(view_with(R"(, "keyframes": [{"time": 0}])")),
+              AllOf(HasSubstr("$.views[0].keyframes"), HasSubstr("at least two")));
+}
+
+TEST(CameraScript, RejectsAKeyframeWithoutAPosition) {
+  EXPECT_THAT(error_of_script(view_with_keyframes(R"({"time": 1, "position": [0, 0, 1]})", R"({"time": 2})")),
+              AllOf(HasSubstr("$.views[0].keyframes[1]"), HasSubstr("'position' is missing")));
+}
+
+TEST(CameraScript, MovingViewsAndFramesReadBackAsTheyWere) {
+  const SceneTestFiles files;
+  View moving{"moving", {{1, 2, 3}}};
+  moving.keyframes = {{-0.1, {{1, 2, 3}}}, {0.7, {{0.1f, 0.2f, 0.3f}, {4, 5, 6}, {0, 0, 1}, 0.9f}}};
+  View frame{"frame", {{3, 2, 1}}, 1.0 / 3, SequenceFrame{"wa\"lk", 4}};
+  const auto views = read_camera_script(files.write("c.json", camera_script_text({moving, frame})));
+  ASSERT_EQ(views[0].keyframes.size(), 2u);
+  EXPECT_EQ(views[0].keyframes[0].time, -0.1);
+  EXPECT_EQ(views[0].keyframes[1].camera.position, glm::vec3(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(views[0].keyframes[1].camera.fov, 0.9f);
+  EXPECT_EQ(views[1].time, 1.0 / 3);
+  EXPECT_EQ(views[1].frame->sequence, "wa\"lk");
+  EXPECT_EQ(views[1].frame->number, 4);
+}
+
 }  // namespace
 }  // namespace lightbench

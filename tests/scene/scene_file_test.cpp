@@ -447,5 +447,38 @@ TEST(LoadScene, LoadsTheProjectsOwnScene) {
   EXPECT_GE(triangle_count(scene), 30u);
 }
 
+TEST(SceneFile, AnEntityWithKeyframesStandsWhereItIsAtTimeZero) {
+  const std::string keys = R"(, "transform": {"scale": 2}, "keyframes": [
+      {"time": -1, "translate": [0, 0, 0]}, {"time": 1, "translate": [6, 0, 0]}])";
+  EXPECT_EQ(placed(keys, {1, 0, 0}), glm::vec3(3 + 2, 0, 0));
+}
+
+TEST(SceneFile, ABoxMovesToo) {
+  const SceneTestFiles files;
+  const LoadedScene loaded = load_scene_collecting(
+      files.write("s.json", R"({"entities": [{"box": {"min": [0, 0, 0], "max": [1, 1, 1]},
+                                  "keyframes": [{"time": 0}, {"time": 1, "rotate": [0, 90, 0], "scale": 2}]}]})"));
+  ASSERT_EQ(error_count(loaded), 0u) << described(loaded, files);
+  ASSERT_EQ(loaded.scene.entities[0].motion.keys.size(), 2u);
+  EXPECT_EQ(loaded.scene.entities[0].motion.keys[1].scale, glm::dvec3(2));
+}
+
+TEST(SceneFile, KeyframesThatDoNotRiseAreAProblemOfTheirPlace) {
+  EXPECT_THAT(problems_of("", R"(, "keyframes": [{"time": 2}, {"time": 1}])"),
+              HasSubstr("error s.json: $.entities[0].keyframes[1].time: the times of keyframes must rise"));
+}
+
+TEST(SceneFile, KeyframesThatFlattenTheModelAreAProblem) {
+  EXPECT_THAT(problems_of("", R"(, "keyframes": [{"time": 0, "scale": [1, 0, 1]}, {"time": 1}])"),
+              HasSubstr("$.entities[0].keyframes[0]: a scale of 0"));
+  EXPECT_THAT(problems_of("", R"(, "keyframes": [{"time": 0}, {"time": 1, "scale": [1, -1, 1]}])"),
+              HasSubstr("$.entities[0].keyframes[1]: the scale changes its sign"));
+}
+
+TEST(SceneFile, AnUnknownKeyOfAKeyframeIsAProblem) {
+  EXPECT_THAT(problems_of("", R"(, "keyframes": [{"time": 0}, {"time": 1, "rotates": [0, 0, 0]}])"),
+              HasSubstr("did you mean 'rotate'"));
+}
+
 }  // namespace
 }  // namespace lightbench
