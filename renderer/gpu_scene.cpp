@@ -138,9 +138,16 @@ GpuScene::GpuScene(const Scene& scene) {
     textures_.back().upload(linear_texels(pixels));
   }
   for (const Mesh& mesh : scene.meshes) upload_mesh(scene, mesh);
-  for (const Entity& entity : scene.entities)
-    instances_.push_back({entity.mesh, glm::dmat4(entity.transform)});
   upload_materials(scene);
+  place(scene);
+}
+
+void GpuScene::place(const Scene& scene) {
+  std::vector<Instance> instances;
+  for (const Entity& entity : scene.entities)
+    instances.push_back({entity.mesh, glm::dmat4(entity.transform)});
+  if (instances == instances_) return;  // the bounds of large scenes take their time
+  instances_ = std::move(instances);
   bounds_ = world_bounds(scene);
 }
 
@@ -273,10 +280,6 @@ std::string gpu_scene_key(const Scene& scene) {
     add_field(hasher, "triangles", mesh.triangles);
     for (const MeshPart& part : mesh.parts)
       add_value(hasher, "part", glm::uvec3(part.material, part.first_triangle, part.triangle_count));
-  }
-  for (const Entity& entity : scene.entities) {
-    hasher.field("mesh", std::int64_t{entity.mesh});
-    add_value(hasher, "transform", entity.transform);
   }
   return hasher.digest();
 }

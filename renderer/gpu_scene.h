@@ -43,6 +43,9 @@ class GpuScene {
   void draw_casters(const Program& solid, const Program& cutout, const glm::dmat4& clip_from_world,
                     FrustumCulling culling) const;
 
+  /// Puts the entities of the scene that it was made from where they stand now.
+  void place(const Scene& scene);
+
   const Bounds& bounds() const { return bounds_; }  ///< in world space
 
  private:
@@ -60,6 +63,7 @@ class GpuScene {
   struct Instance {
     int mesh = 0;
     glm::dmat4 world_from_object{1.0};
+    bool operator==(const Instance&) const = default;
   };
 
   static bool is_solid(const Part& part) { return part.cutout_texture == kNoTexture; }
@@ -77,7 +81,8 @@ class GpuScene {
   Bounds bounds_;
 };
 
-/// Changes whenever a GpuScene made from the scene would: a hash of meshes, entities, materials and texels.
+/// Changes whenever a GpuScene made from the scene would, but for where the entities stand: a hash of meshes,
+/// materials and texels.
 std::string gpu_scene_key(const Scene& scene);
 
 }  // namespace lightbench

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <future>
 #include <numeric>
@@ -32,6 +33,7 @@ bool is_finite(const glm::vec3& v) {
 
 void check_arguments(const Scene& scene, const View& view, int width, int height, int supersampling,
                      const PathTracerOptions& options) {
+  assert(scene.time == view.time);
   check_range("bounces", options.bounces, 0, 16, view.name);
   check_range("samples", options.samples, 2, 65536, view.name);
   check_range("noise", options.noise, 0, 255, view.name);

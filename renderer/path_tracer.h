@@ -42,8 +42,9 @@ struct PathTracedImage {
 /// The lighting model of technique `direct`, with light that arrives over any number of diffuse bounces:
 /// point, spot, directional and area lights (as their points), emitting surfaces (from the first bounce on)
 /// and the background. Primary rays go through the centres of the pixels, or of the supersampling^2 parts of
-/// each. The result depends on nothing but the arguments. Throws Error for options out of range, an image
-/// size that is not possible, a scene without triangles, and what is not finite.
+/// each. The scene must be at the view's time. The result depends on nothing but the arguments. Throws Error
+/// for options out of range, an image size that is not possible, a scene without triangles, and what is not
+/// finite.
 PathTracedImage trace_paths(const Scene& scene, const View& view, int width, int height, int supersampling,
                             const PathTracerOptions& options);
 

@@ -1,6 +1,7 @@
 #include "renderer/renderer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <memory>
 
 #include <fmt/format.h>
@@ -73,7 +74,7 @@ struct Renderer::Impl {
 
   void load(const Scene& wanted) {
     const std::string key = gpu_scene_key(wanted);
-    if (scene && key == scene_key) return;
+    if (scene && key == scene_key) return scene->place(wanted);
     scene.reset();  // before the next one takes its memory
     scene = std::make_unique<GpuScene>(wanted);
     scene_key = key;
@@ -97,6 +98,7 @@ Renderer::~Renderer() = default;
 
 FrameResult Renderer::render(const Technique& technique, const ParamValues& params,
                              const FrameRequest& request) {
+  assert(request.scene.time == request.view.time);
   require_possible_size(request);
   require_known_buffers(technique, request.buffers);
   require_supported(technique, params, request.scene);

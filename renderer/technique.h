@@ -16,7 +16,7 @@ class FrameContext;  // renderer/frame_context.h: what a technique draws with
 
 /// One frame to render.
 struct FrameRequest {
-  const Scene& scene;
+  const Scene& scene;  ///< at the view's time
   const View& view;
   int width = 1024;
   int height = 768;

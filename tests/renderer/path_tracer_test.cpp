@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "renderer/rays.h"
 #include "scene/box_mesh.h"
+#include "scene/motion.h"
 #include "tests/renderer/render_scene.h"
 
 namespace lightbench {
@@ -217,6 +218,20 @@ TEST(PathTracer, DependsOnTheSeedAlone) {
   EXPECT_EQ(traced(room(), inside_view(), options, 40, 36), one);
   options.seed = std::uint64_t(1) << 40;
   EXPECT_NE(traced(room(), inside_view(), options, 40, 36), one);
+}
+
+TEST(PathTracer, AMovingEntityIsTracedAsIfItsTransformWereBaked) {
+  Scene moving = room();
+  moving.entities[0].motion.keys = {{.time = 0},
+                                    {.time = 2, .translate = {0.2, 0.1, 0}, .rotate = {0, 40, 0}}};
+  set_time(moving, 1);
+  Scene baked = moving;
+  baked.entities[0].motion = {};
+  baked.time = 0;
+  View later = inside_view();
+  later.time = 1;
+  const PathTracerOptions options = with_bounces(1, 4);
+  EXPECT_EQ(traced(moving, later, options, 20, 18), traced(baked, inside_view(), options, 20, 18));
 }
 
 TEST(PathTracer, SeedsDifferByTheEstimatedNoise) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "scene/motion.h"
 #include "tests/renderer/render_scene.h"
 
 namespace lightbench {
@@ -109,6 +110,43 @@ TEST(GlRenderer, AChangedSceneAtTheSameAddressIsSeen) {
   Renderer fresh(GlBackend::osmesa);
   EXPECT_EQ(render_direct(fresh, scene, request).image, after);
 }
+
+// The small scene with its quad on the move, and one whose quad stands for good where that is at time 1.
+struct MovingAndBaked {
+  Scene moving = small_scene();
+  Scene baked;
+
+  MovingAndBaked() {
+    moving.entities[1].motion.keys = {
+        {.time = 0}, {.time = 2, .translate = {0.6, 0.2, 0}, .rotate = {0, 90, 20}, .scale = {1, 3, 1}}};
+    set_time(moving, 1);
+    baked = moving;
+    baked.entities[1].motion = {};
+    baked.time = 0;
+    set_time(moving, 0);
+  }
+};
+
+class GlMovingScene : public testing::TestWithParam<const char*> {};
+
+TEST_P(GlMovingScene, IsDrawnAsIfItsTransformsWereBaked) {
+  MovingAndBaked scenes;
+  const Technique& technique = find_technique("isr", "test");
+  const ParamValues params = resolve_params(technique.params, technique.presets, GetParam(), {}, "test");
+  View view = top_view(3);
+  const FrameRequest request{scenes.moving, view, 64, 48, 1, {}};
+  Renderer renderer(GlBackend::osmesa);
+  const Image before = renderer.render(technique, params, request).image;
+  set_time(scenes.moving, view.time = 1);
+  const Image after = renderer.render(technique, params, request).image;
+  EXPECT_NE(after, before);
+  const View still = top_view(3);
+  Renderer fresh(GlBackend::osmesa);
+  EXPECT_EQ(fresh.render(technique, params, {scenes.baked, still, 64, 48, 1, {}}).image, after);
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, GlMovingScene, testing::Values("area", "best"),
+                         [](const auto& preset) { return std::string(preset.param); });
 
 // The scene and view with all lengths multiplied and everything moved.
 std::pair<Scene, View> placed(Scene scene, View view, float scale, const glm::vec3& offset) {
