@@ -7,6 +7,7 @@
 #include "povexport/pov_materials.h"
 #include "povexport/pov_mesh.h"
 #include "povexport/pov_writer.h"
+#include "scene/motion.h"
 
 namespace lightbench {
 namespace {
@@ -18,7 +19,7 @@ constexpr const char* kSceneInclude = "scene.inc";
 /// scene is brought to the size at which that length is a millionth of it. A power of two leaves all
 /// coordinates exact.
 PovSpace pov_space(const Scene& scene) {
-  const Bounds bounds = world_bounds(scene);
+  const Bounds bounds = swept_bounds(scene);
   const double diagonal = bounds.diagonal();
   if (!(diagonal > 0) || !std::isfinite(diagonal)) return {bounds, 1};
   return {bounds, std::exp2(std::floor(std::log2(1024 / diagonal)))};
@@ -37,6 +38,16 @@ void write_transform(PovWriter& out, const glm::mat4& m, double scale) {
   out.words(">");
 }
 
+void write_entity(PovWriter& out, const Entity& entity, const PovSpace& space) {
+  out.name("object{M", entity.mesh + 1);
+  write_transform(out, entity.transform, space.scale);
+  out.words("}\n");
+}
+
+std::string mesh_file(int mesh) {
+  return pov_file_name("mesh", mesh + 1, "inc");
+}
+
 PovWriter scene_include(const Scene& scene, const PovSpace& space, const PovWriter& declarations,
                         const std::vector<bool>& has_mesh) {
   PovWriter out;
@@ -44,17 +55,9 @@ PovWriter scene_include(const Scene& scene, const PovSpace& space, const PovWrit
   out.append(declarations);
   for (std::size_t i = 0; i < has_mesh.size(); ++i)
     if (has_mesh[i])
-      out.words("#declare ")
-          .name("M", int(i) + 1)
-          .words("=\n#include ")
-          .file(pov_file_name("mesh", int(i) + 1, "inc"))
-          .words("\n");
-  for (const Entity& entity : scene.entities) {
-    if (!has_mesh[std::size_t(entity.mesh)]) continue;
-    out.name("object{M", entity.mesh + 1);
-    write_transform(out, entity.transform, space.scale);
-    out.words("}\n");
-  }
+      out.words("#declare ").name("M", int(i) + 1).words("=\n#include ").file(mesh_file(int(i))).words("\n");
+  for (const Entity& entity : scene.entities)
+    if (has_mesh[std::size_t(entity.mesh)] && entity.motion.keys.empty()) write_entity(out, entity, space);
   return out;
 }
 
@@ -104,20 +107,21 @@ PovAssets pov_assets(const Scene& scene) {
     throw Error("the scene has no triangles: there is nothing to render", scene.name);
   PovAssets assets;
   PovMaterials materials(scene);
-  const PovSpace space = pov_space(scene);
+  assets.space = pov_space(scene);
   std::vector<bool> has_mesh(scene.meshes.size());
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const PovWriter mesh = pov_mesh(scene.meshes[i], float(space.scale), materials);
+    const PovWriter mesh = pov_mesh(scene.meshes[i], float(assets.space.scale), materials);
     has_mesh[i] = !mesh.text().empty();
-    if (has_mesh[i]) assets.includes[pov_file_name("mesh", int(i) + 1, "inc")] = mesh.text();
+    if (has_mesh[i]) assets.includes[mesh_file(int(i))] = mesh.text();
   }
-  assets.includes[kSceneInclude] = scene_include(scene, space, materials.declarations(), has_mesh).text();
+  assets.includes[kSceneInclude] =
+      scene_include(scene, assets.space, materials.declarations(), has_mesh).text();
   assets.images = materials.take_images();
   assets.warnings = inexact_features(scene);
   return assets;
 }
 
-std::string pov_view(const Scene& scene, const PovAssets&, const Camera& camera, double aspect,
+std::string pov_view(const Scene& scene, const PovAssets& assets, const Camera& camera, double aspect,
                      const PovOptions& options) {
   PovWriter out;
   write_global_settings(out, options);
@@ -132,10 +136,12 @@ std::string pov_view(const Scene& scene, const PovAssets&, const Camera& camera,
       .words(",")
       .number(sky.z)
       .words(",1>}\n");
-  const PovSpace space = pov_space(scene);
-  write_camera(out, camera, aspect, space.scale);
-  for (const Light& light : scene.lights) out.append(pov_light(light, space, options.shadowless));
+  write_camera(out, camera, aspect, assets.space.scale);
+  for (const Light& light : scene.lights) out.append(pov_light(light, assets.space, options.shadowless));
   out.words("#include ").file(kSceneInclude).words("\n");
+  for (const Entity& entity : scene.entities)
+    if (!entity.motion.keys.empty() && assets.includes.contains(mesh_file(entity.mesh)))
+      write_entity(out, entity, assets.space);
   return out.text();
 }
 

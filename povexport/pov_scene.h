@@ -7,6 +7,7 @@
 
 #include "base/image.h"
 #include "base/params.h"
+#include "povexport/pov_lights.h"
 #include "scene/scene.h"
 
 namespace lightbench {
@@ -33,8 +34,9 @@ PovOptions second_opinion(const PovOptions& options);
 /// Bounces of indirect light that these options give.
 int pov_bounces(const PovOptions& options);
 
-/// What all views of a scene share: mesh includes and textures under safe names of our own.
+/// What all views of a scene share, at all times: mesh includes and textures under safe names of our own.
 struct PovAssets {
+  PovSpace space;
   std::map<std::string, std::string> includes;  ///< file name -> SDL text
   std::map<std::string, Image8> images;         ///< file name (.png) -> pixels
   std::vector<std::string> warnings;            ///< what has no exact counterpart in POV-Ray
@@ -42,7 +44,8 @@ struct PovAssets {
 /// Throws Error for a scene without triangles.
 PovAssets pov_assets(const Scene& scene);
 
-/// The scene description of one view, deterministic to the byte. It includes the assets by their names.
+/// The scene description of one view, deterministic to the byte, with the entities that move where they stand
+/// at the scene's time. It includes the assets by their names.
 /// `aspect` is width / height. Nothing of the scene stands in it but numbers. Who renders it puts the
 /// declared Background behind the image by alpha, as `run_povray` does. Throws Error for numbers
 /// that are not finite.

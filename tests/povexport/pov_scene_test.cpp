@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "pov_test_scenes.h"
+#include "scene/motion.h"
 
 namespace lightbench {
 namespace {
@@ -44,6 +45,46 @@ TEST(PovScene, TextIsTheApprovedOne) {
   const std::filesystem::path approved = LIGHTBENCH_TEST_DATA "/povexport/golden.txt";
   if (std::getenv("LIGHTBENCH_APPROVE") != nullptr) write_file_atomic(approved, all_text(golden_scene()));
   EXPECT_EQ(all_text(golden_scene()), read_file(approved)) << "LIGHTBENCH_APPROVE=1 accepts the new text";
+}
+
+/// The golden scene with an entity more, which moves.
+Scene moving_scene() {
+  Scene scene = golden_scene();
+  scene.entities.push_back(
+      {.name = "mover", .motion = {.keys = {{.time = 0}, {.time = 2, .translate = {8, 0, 0}}}}});
+  return scene;
+}
+
+TEST(PovScene, WhatMovesStandsInTheViewAndNotInWhatViewsShare) {
+  Scene scene = moving_scene();
+  const PovAssets assets = pov_assets(scene);
+  const std::string at_rest = pov_view(scene, assets, facing_camera(), 1, {});
+  set_time(scene, 1);
+  EXPECT_EQ(pov_assets(scene).includes, assets.includes) << "at any time";
+  const std::string moved = pov_view(scene, assets, facing_camera(), 1, {});
+  EXPECT_NE(moved, at_rest);
+  const std::size_t end = at_rest.find("object{M1}");
+  ASSERT_NE(end, std::string::npos);
+  EXPECT_EQ(moved.substr(0, end), at_rest.substr(0, end)) << "camera and lights stay";
+  EXPECT_THAT(moved.substr(end), testing::StartsWith("object{M1 matrix<1,0,0,0,1,0,0,0,1,"));
+}
+
+TEST(PovScene, WithoutKeyframesTheViewPlacesNothing) {
+  const PovAssets assets = pov_assets(golden_scene());
+  EXPECT_THAT(pov_view(golden_scene(), assets, facing_camera(), 1, {}), testing::Not(HasSubstr("object")));
+}
+
+TEST(PovrayMotion, AMovedEntityIsDrawnAsIfItsTransformWereBaked) {
+  Scene scene = scene_of(facing_square());
+  scene.lights = {frontal_light()};
+  scene.entities[0].motion.keys = {{.time = 0, .rotate = {0, 0, 30}}, {.time = 2, .translate = {1, 0, 0}}};
+  set_time(scene, 1);
+  Scene baked = scene;
+  baked.entities[0].motion = {};
+  const Image moved = render(scene, facing_camera());
+  EXPECT_EQ(moved, render(baked, facing_camera()));
+  set_time(scene, 0);
+  EXPECT_NE(moved, render(scene, facing_camera()));
 }
 
 TEST(PovScene, NamesNeverReachTheText) {
