@@ -20,6 +20,26 @@ std::vector<std::uint8_t> mask_from(const Image8& image) {
   return mask;
 }
 
+/// The frame before, as read.
+struct PreviousPictures {
+  Image8 reference;
+  Image8 image;
+  std::vector<std::uint8_t> mask;  ///< empty: all pixels
+
+  PreviousFrame frame() const { return {reference, image, mask.empty() ? nullptr : &mask}; }
+};
+
+PreviousPictures read_previous(const ScoreRequest& request, const Image8& now) {
+  PreviousPictures previous;
+  const Image8 reference = read_image_srgb8(request.previous_reference);
+  previous.reference = first_channels(reference, 3);
+  previous.image = first_channels(read_image_srgb8(request.previous_image), 3);
+  check_pair(now, previous.reference, request.reference.string(), request.previous_reference.string());
+  check_pair(now, previous.image, request.reference.string(), request.previous_image.string());
+  if (request.use_reference_alpha && reference.channels == 4) previous.mask = mask_from(reference);
+  return previous;
+}
+
 }  // namespace
 
 Score compute_score(const ScoreRequest& request) {
@@ -48,9 +68,17 @@ Score compute_score(const ScoreRequest& request) {
     ambient_fit = fit_ambient(read_float_image(request.baseline), read_float_image(request.baseline_albedo),
                               score.reference)
                       .image;
-  score.metrics = compute_metrics(
-      request.metrics, {score.reference, score.image, score.baseline.empty() ? nullptr : &score.baseline,
-                        mask.empty() ? nullptr : &mask, ambient_fit ? &*ambient_fit : nullptr});
+  MetricInput input{score.reference, score.image};
+  if (!score.baseline.empty()) input.baseline = &score.baseline;
+  if (!mask.empty()) input.mask = &mask;
+  if (ambient_fit) input.ambient_fit = &*ambient_fit;
+  std::optional<PreviousPictures> previous;
+  std::optional<PreviousFrame> previous_frame;
+  if (!request.previous_image.empty()) {
+    previous = read_previous(request, score.reference);
+    input.previous = &previous_frame.emplace(previous->frame());
+  }
+  score.metrics = compute_metrics(request.metrics, input);
   return score;
 }
 

@@ -16,7 +16,9 @@ struct ScoreRequest {
   std::filesystem::path reference = {};
   std::filesystem::path baseline = {};  ///< empty: none
   std::filesystem::path baseline_albedo =
-      {};                           ///< linear; for metrics with needs_ambient_fit; empty: not known
+      {};  ///< linear; for metrics with needs_ambient_fit; empty: not known
+  std::filesystem::path previous_image = {};  ///< of the frame before; empty: none
+  std::filesystem::path previous_reference = {};
   std::filesystem::path mask = {};  ///< empty: the reference's alpha, if it has one and is to be used
   std::vector<std::string> metrics = {};
   bool use_reference_alpha = true;  ///< else, without a mask, all pixels count

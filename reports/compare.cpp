@@ -54,9 +54,8 @@ std::vector<std::string> chosen_metrics(const CompareOptions& options) {
   for (const std::string& name : options.metrics) find_metric(name, "--metric");
   if (!options.metrics.empty()) return options.metrics;
   std::vector<std::string> names;
-  for (const Metric& metric : metrics())
-    if (!metric.needs_ambient_fit && (!metric.needs_baseline || !options.baseline.empty()))
-      names.push_back(metric.name);
+  for (const std::string& name : default_metrics())
+    if (!find_metric(name, "").needs_baseline || !options.baseline.empty()) names.push_back(name);
   return names;
 }
 

@@ -11,6 +11,13 @@
 
 namespace lightbench {
 
+/// The frame before, in a sequence; images as in MetricInput.
+struct PreviousFrame {
+  const Image8& reference;
+  const Image8& image;
+  const std::vector<std::uint8_t>* mask = nullptr;
+};
+
 /// What a metric sees: 8-bit sRGB images of one size with three components, checked by `check_pair`.
 struct MetricInput {
   const Image8& reference;
@@ -18,6 +25,7 @@ struct MetricInput {
   const Image8* baseline = nullptr;                 ///< for metrics with needs_baseline
   const std::vector<std::uint8_t>* mask = nullptr;  ///< one byte a pixel, non-zero counts; for masked metrics
   const Image8* ambient_fit = nullptr;              ///< for metrics with needs_ambient_fit
+  const PreviousFrame* previous = nullptr;          ///< for metrics with needs_previous
 };
 
 /// A number, or the reason why there is none. An undefined value never passes a gate.
@@ -45,8 +53,9 @@ struct Metric {
   Better better = Better::lower;
   bool needs_baseline = false;
   bool needs_ambient_fit =
-      false;            ///< of the baseline's light and albedo; such metrics are computed on request only
-  bool masked = false;  ///< computed over the mask's pixels where one is given
+      false;  ///< of the baseline's light and albedo; such metrics are computed on request only
+  bool needs_previous = false;  ///< of the frame before; such metrics are computed where a job has sequences
+  bool masked = false;          ///< computed over the mask's pixels where one is given
   NoiseUnit noise_unit = NoiseUnit::none;
   int version = 1;   ///< goes up whenever the same images may give another number
   int decimals = 4;  ///< shown in tables
@@ -56,12 +65,16 @@ struct Metric {
 std::span<const Metric> metrics();
 /// The names of those that are computed unless others are asked for.
 std::vector<std::string> default_metrics();
+/// Those that look at the frame before: a job with sequences has them beside the default ones.
+std::vector<std::string> sequence_metrics();
 bool needs_ambient_fit(const std::vector<std::string>& metrics);
+bool needs_previous(const std::vector<std::string>& metrics);
 /// Throws Error(..., where) for an unknown name, with the nearest known one.
 const Metric& find_metric(const std::string& name, const std::string& where);
 
-/// The named metrics of one pair. A metric that needs a baseline where there is none is undefined, and so is
-/// one that comes out as NaN or infinity. Throws Error for an unknown name, images that do not fit together
+/// The named metrics of one pair. A metric that needs a baseline, or the frame before, where there is none is
+/// undefined, and so is one that comes out as NaN or infinity. Throws Error for an unknown name, images that
+/// do not fit together
 /// (`check_pair`), or a mask of another size.
 std::map<std::string, MetricValue> compute_metrics(const std::vector<std::string>& names,
                                                    const MetricInput& input);

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "reports/metric.h"
 #include "reports/metrics/closeness.h"
+#include "reports/metrics/flicker.h"
 #include "reports/metrics/gain.h"
 #include "reports/metrics/luminance_error.h"
 #include "reports/metrics/luv.h"
@@ -109,6 +110,15 @@ std::span<const Metric> metrics() {
        .needs_ambient_fit = true,
        .decimals = 2,
        .compute = over_ambient},
+      {.name = "flicker",
+       .doc = "mean absolute change of the signed error from the frame before, over the pixels that objects "
+              "cover in both",
+       .unit = "of 255",
+       .better = Better::lower,
+       .needs_previous = true,
+       .masked = true,
+       .decimals = 3,
+       .compute = flicker},
   };
   return table;
 }
@@ -116,13 +126,25 @@ std::span<const Metric> metrics() {
 std::vector<std::string> default_metrics() {
   std::vector<std::string> names;
   for (const Metric& metric : metrics())
-    if (!metric.needs_ambient_fit) names.push_back(metric.name);
+    if (!metric.needs_ambient_fit && !metric.needs_previous) names.push_back(metric.name);
+  return names;
+}
+
+std::vector<std::string> sequence_metrics() {
+  std::vector<std::string> names;
+  for (const Metric& metric : metrics())
+    if (metric.needs_previous) names.push_back(metric.name);
   return names;
 }
 
 bool needs_ambient_fit(const std::vector<std::string>& metrics) {
   return std::any_of(metrics.begin(), metrics.end(),
                      [](const std::string& name) { return find_metric(name, "").needs_ambient_fit; });
+}
+
+bool needs_previous(const std::vector<std::string>& metrics) {
+  return std::any_of(metrics.begin(), metrics.end(),
+                     [](const std::string& name) { return find_metric(name, "").needs_previous; });
 }
 
 const Metric& find_metric(const std::string& name, const std::string& where) {
@@ -140,7 +162,15 @@ MetricValue compute(const Metric& metric, const MetricInput& input) {
   if (metric.needs_baseline && !input.baseline) return MetricValue::undefined("there is no baseline");
   if (metric.needs_ambient_fit && !input.ambient_fit)
     return MetricValue::undefined("the baseline's albedo is not known");
+  if (metric.needs_previous && !input.previous)
+    return MetricValue::undefined("there is no frame before this one");
   return metric.compute(input);
+}
+
+void check_mask(const std::vector<std::uint8_t>* mask, const Image8& reference) {
+  if (mask && mask->size() != reference.pixel_count())
+    throw Error("the mask has " + std::to_string(mask->size()) + " pixels, the images have " +
+                std::to_string(reference.pixel_count()));
 }
 
 }  // namespace
@@ -149,9 +179,12 @@ std::map<std::string, MetricValue> compute_metrics(const std::vector<std::string
                                                    const MetricInput& input) {
   check_pair(input.reference, input.image, "the reference", "the image");
   if (input.baseline) check_pair(input.reference, *input.baseline, "the reference", "the baseline");
-  if (input.mask && input.mask->size() != input.reference.pixel_count())
-    throw Error("the mask has " + std::to_string(input.mask->size()) + " pixels, the images have " +
-                std::to_string(input.reference.pixel_count()));
+  check_mask(input.mask, input.reference);
+  if (const PreviousFrame* previous = input.previous) {
+    check_pair(input.reference, previous->reference, "the reference", "that of the frame before");
+    check_pair(input.reference, previous->image, "the reference", "the image of the frame before");
+    check_mask(previous->mask, input.reference);
+  }
   std::map<std::string, MetricValue> values;
   for (const std::string& name : names) {
     const Metric& metric = find_metric(name, "");

@@ -1,5 +1,7 @@
 #include "pipeline/score.h"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -82,6 +84,40 @@ TEST_F(ScoreOfFiles, UndefinedValuesHaveTheirReasonInTheJson) {
   const auto json = nlohmann::json::parse(score_json(score));
   EXPECT_EQ(json["metrics"]["gain"]["undefined"], "there is no baseline");
   EXPECT_EQ(json["metrics"]["mean_error"], 1.5);
+}
+
+TEST_F(ScoreOfFiles, FlickerIsMeasuredAgainstTheFrameBefore) {
+  // Errors of 10 - 40 and 35 - 40: the left pixel changes by 25, and the right one not.
+  const ScoreRequest request{.image = png("a.png", 10),
+                             .reference = png("b.png", 40),
+                             .previous_image = png("c.png", 35),
+                             .previous_reference = png("d.png", 40),
+                             .metrics = {"flicker"}};
+  EXPECT_DOUBLE_EQ(*compute_score(request).metrics.at("flicker").value, 12.5);
+}
+
+TEST_F(ScoreOfFiles, FlickerLooksAtWhatIsAnObjectInBothFrames) {
+  const ScoreRequest request{.image = png("a.png", 10),
+                             .reference = png("b.png", 40),
+                             .previous_image = png("c.png", 35),
+                             .previous_reference = png("d.png", 40, 4),
+                             .metrics = {"flicker"}};
+  EXPECT_DOUBLE_EQ(*compute_score(request).metrics.at("flicker").value, 25) << "the left pixel alone";
+}
+
+TEST_F(ScoreOfFiles, AFrameBeforeThatHoldsNanIsAnError) {
+  write_exr(folder_.path() / "nan.exr", Image(2, 1, 3, std::nanf("")), PixelType::half);
+  const ScoreRequest request{.image = png("a.png", 10),
+                             .reference = png("b.png", 40),
+                             .previous_image = folder_.path() / "nan.exr",
+                             .previous_reference = png("d.png", 40),
+                             .metrics = {"flicker"}};
+  try {
+    compute_score(request);
+    FAIL() << "NaN was taken";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("nan.exr"));
+  }
 }
 
 }  // namespace

@@ -284,5 +284,63 @@ TEST(ObjectMask, IsEverythingWithoutAlpha) {
   EXPECT_EQ(object_mask(Image8(2, 1, 3, 0)), (std::vector<std::uint8_t>{1, 1}));
 }
 
+/// The flicker of two frames of these rows of pixels.
+MetricValue flicker_of(const Image8& reference, const Image8& image, const PreviousFrame& previous,
+                       const std::vector<std::uint8_t>* mask = nullptr) {
+  MetricInput input{reference, image};
+  input.mask = mask;
+  input.previous = &previous;
+  return compute_metrics({"flicker"}, input).at("flicker");
+}
+
+TEST(Flicker, OfAnErrorThatStaysIsNothing) {
+  // Both images are 5 too dark, whatever the pictures show.
+  const Image8 reference = row_of({{10, 20, 30}}), image = row_of({{5, 15, 25}});
+  const Image8 reference_before = row_of({{200, 100, 50}}), image_before = row_of({{195, 95, 45}});
+  EXPECT_DOUBLE_EQ(value_of(flicker_of(reference, image, {reference_before, image_before})), 0);
+}
+
+TEST(Flicker, OfOneComponentThatIsOffByOneInOneFrame) {
+  const Image8 a = pattern(7, 5, 1), b = pattern(7, 5, 2);
+  Image8 changed = b;
+  changed.pixel(3, 2)[1] ^= 1;
+  EXPECT_DOUBLE_EQ(value_of(flicker_of(a, b, {a, changed})), 1.0 / (3 * 7 * 5));
+}
+
+TEST(Flicker, SeesAnErrorThatChangesItsSign) {
+  // The absolute error is 10 in both frames.
+  const Image8 reference = row_of({{100, 100, 100}});
+  EXPECT_DOUBLE_EQ(
+      value_of(flicker_of(reference, row_of({{110, 110, 110}}), {reference, row_of({{90, 90, 90}})})), 20);
+}
+
+TEST(Flicker, CountsWhatIsAnObjectInBothFrames) {
+  const Image8 reference = row_of({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}});
+  const Image8 image = row_of({{9, 9, 9}, {6, 6, 6}, {3, 3, 3}});
+  const std::vector<std::uint8_t> now = {1, 1, 0}, before = {0, 1, 1}, nowhere = {0, 0, 0};
+  EXPECT_DOUBLE_EQ(value_of(flicker_of(reference, image, {reference, reference, &before}, &now)), 6);
+  EXPECT_THAT(flicker_of(reference, image, {reference, reference, &nowhere}, &now).undefined_because,
+              testing::HasSubstr("no pixel"));
+}
+
+TEST(Flicker, WithoutAFrameBeforeIsUndefined) {
+  const Image8 a = pattern(2, 2, 1);
+  EXPECT_THAT(compute("flicker", a, a).undefined_because, testing::HasSubstr("no frame before"));
+}
+
+TEST(Flicker, OfAFrameOfAnotherSizeIsAnError) {
+  const Image8 a = pattern(2, 2, 1), small = pattern(2, 1, 1);
+  EXPECT_THROW(flicker_of(a, a, {a, small}), Error);
+  EXPECT_THROW(flicker_of(a, a, {small, a}), Error);
+  const std::vector<std::uint8_t> short_mask = {1};
+  EXPECT_THROW(flicker_of(a, a, {a, a, &short_mask}), Error);
+}
+
+TEST(SequenceMetrics, AreNoDefault) {
+  EXPECT_THAT(default_metrics(), testing::Not(testing::Contains("flicker")));
+  EXPECT_THAT(sequence_metrics(), testing::ElementsAre("flicker"));
+  EXPECT_FALSE(needs_previous(default_metrics()));
+}
+
 }  // namespace
 }  // namespace lightbench
