@@ -12,6 +12,7 @@
 #include "pipeline/concrete.h"
 #include "pipeline/snapshot.h"
 #include "renderer/renderer.h"
+#include "scene/motion.h"
 #include "scene/scene_file.h"
 
 namespace lightbench {
@@ -80,9 +81,11 @@ std::vector<BenchRow> bench_job(const Job& concrete, const std::string& gl, int 
     Scene scene = load_scene(job_scene.file);
     scene.name = job_scene.name;
     Renderer renderer(parse_gl(gl, "--gl"));
-    for (const auto& view : views_of(job_scene))
+    for (const auto& view : views_of(job_scene)) {
+      set_time(scene, view.time);
       for (auto& row : bench_view(job, job_scene, scene, view, renderer, rounds))
         rows.push_back(std::move(row));
+    }
   }
   return rows;
 }

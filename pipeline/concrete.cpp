@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "pipeline/tables.h"
 #include "scene/camera_script.h"
+#include "scene/motion.h"
 
 namespace lightbench {
 namespace {
@@ -73,6 +74,21 @@ std::vector<View> chosen_views(const CameraScript& script) {
   return chosen;
 }
 
+/// The frames of each view, one view after the other.
+std::vector<View> frames_of(const std::vector<View>& views, const JobSequence& sequence) {
+  std::vector<View> frames;
+  for (const auto& view : views) {
+    if (view.frame) throw Error("a view that is a frame already cannot be made a sequence", view.where);
+    for (int i = 0; i < sequence.frames; ++i) {
+      View frame = view_at(view, sequence.start + i / sequence.rate);
+      frame.name = fmt::format("{}.{:03}", view.name, i);
+      frame.frame = SequenceFrame{view.name, i};
+      frames.push_back(std::move(frame));
+    }
+  }
+  return frames;
+}
+
 }  // namespace
 
 std::vector<JobVariant> expand_sweeps(const std::vector<JobVariant>& variants) {
@@ -84,6 +100,16 @@ std::vector<JobVariant> expand_sweeps(const std::vector<JobVariant>& variants) {
 
 const std::vector<View>& views_of(const JobScene& scene) {
   return std::get<std::vector<View>>(scene.views);
+}
+
+std::optional<std::size_t> previous_frame(const std::vector<View>& views, std::size_t view) {
+  const auto& frame = views[view].frame;
+  if (!frame || frame->number == 0) return std::nullopt;
+  for (std::size_t i = view; i-- > 0;)
+    if (const auto& other = views[i].frame;
+        other && other->sequence == frame->sequence && other->number + 1 == frame->number)
+      return i;
+  return std::nullopt;
 }
 
 std::filesystem::path stored_cameras(const JobScene& scene) {
@@ -104,6 +130,11 @@ Job make_concrete(const Job& job, const std::filesystem::path& out, const DrawVi
                         camera_script_text(draw_views(scene, *request, double(job.width) / job.height)));
       scene.views = read_camera_script(file);
     }
+    auto views = views_of(scene);
+    if (scene.sequence) views = frames_of(views, *scene.sequence);
+    scene.sequence.reset();
+    for (auto& view : views) view.keyframes.clear();
+    scene.views = std::move(views);
   }
   return result;
 }

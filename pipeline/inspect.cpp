@@ -11,13 +11,14 @@
 #include "renderer/rays.h"
 #include "renderer/renderer.h"
 #include "renderer/techniques/images.h"
+#include "scene/motion.h"
 #include "scene/random_views.h"
 #include "scene/scene_file.h"
 
 namespace lightbench {
 namespace {
 
-void inspect_exports(const Job& job, const JobScene& job_scene, const Scene& scene, SceneFacts& facts) {
+void inspect_exports(const Job& job, const JobScene& job_scene, Scene& scene, SceneFacts& facts) {
   std::map<std::string, std::unique_ptr<SceneExport>> exports;
   for (const auto& reference : job.references) {
     auto& parts = facts.exports.emplace_back();
@@ -29,18 +30,21 @@ void inspect_exports(const Job& job, const JobScene& job_scene, const Scene& sce
       facts.kind_warnings[reference.kind] = exported->warnings();
     }
     const ParamValues params = reference_params(reference);
-    for (const auto& view : views_of(job_scene))
+    for (const auto& view : views_of(job_scene)) {
+      set_time(scene, view.time);
       parts.push_back(
           exported->key_parts({view, job.width, job.height, job.samples, params, reference.timeout}));
+    }
   }
 }
 
 SceneFacts inspect_scene(const Job& job, const JobScene& job_scene) {
   SceneFacts facts;
   try {
-    const Scene scene = load_scene(job_scene.file);
+    Scene scene = load_scene(job_scene.file);
     for (const auto& file : scene.files) facts.files.emplace_back(file.filename().string(), hash_file(file));
     facts.triangles = triangle_count(scene);
+    facts.moves = moves(scene);
     facts.warnings = scene.warnings;
     facts.credits = scene.credits;
     for (const auto& variant : job.variants) {
@@ -97,7 +101,8 @@ PlanFacts inspect(const Job& job, const std::string& gl) {
 
 std::vector<View> draw_job_views(const JobScene& job_scene, const RandomViewsRequest& request,
                                  double aspect) {
-  const Scene scene = load_scene(job_scene.file);
+  Scene scene = load_scene(job_scene.file);
+  if (job_scene.sequence) set_time(scene, job_scene.sequence->start);
   const SceneRays rays(scene);
   RandomViewOptions options;
   options.count = request.count;

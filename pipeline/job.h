@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -32,11 +33,23 @@ struct CameraScript {
 /// A camera script, views written out in the job, or a request to draw some.
 using JobViews = std::variant<CameraScript, std::vector<View>, RandomViewsRequest>;
 
+inline constexpr int kMaxFrames = 1000;
+inline constexpr double kMinFrameRate = 0.001;
+inline constexpr double kMaxFrameRate = 1000;
+
+/// Frames that each view of a scene is drawn in, as views of their own.
+struct JobSequence {
+  double start = 0;  ///< seconds
+  int frames = 2;
+  double rate = 12;  ///< frames a second
+};
+
 struct JobScene {
   std::string name;            ///< unique in the job
   std::string as_written;      ///< the scene's path as the job has it
   std::filesystem::path file;  ///< the same, resolved
   JobViews views;
+  std::optional<JobSequence> sequence;  ///< of a concrete job: none, its views are the frames
 };
 
 using GivenParams = std::map<std::string, ParamValue>;

@@ -145,6 +145,8 @@ void read_scoring(JsonObject& object, Job& job) {
   if (const auto primary = object.find("primary_reference"))
     job.primary_reference = primary->choice(row_names(std::span(job.references)));
   job.metrics = default_metrics();
+  if (std::ranges::any_of(job.scenes, [](const JobScene& scene) { return scene.sequence.has_value(); }))
+    for (const auto& name : sequence_metrics()) job.metrics.push_back(name);
   if (const auto chosen = object.find("metrics"))
     job.metrics = read_names(*chosen, row_names(metrics()), "the metric");
   if (const auto gates = object.find("gates"))

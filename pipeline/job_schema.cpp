@@ -83,13 +83,40 @@ Json sweep_schema(std::span<const ParamSpec> specs) {
   return object_schema(std::move(properties));
 }
 
+Json time_schema(const char* doc) {
+  return {{"type", "number"}, {"description", doc}};
+}
+
+Json camera_properties() {
+  return {{"position", vec3_schema("of the camera, in the scene's units")},
+          {"look_at", vec3_schema("point that the camera looks at")},
+          {"up", vec3_schema("default [0, 1, 0]")},
+          {"fov", {{"type", "number"}, {"description", "vertical, degrees"}}}};
+}
+
+/// The camera's position and look_at stand in the view, or in its keyframes.
 Json view_schema() {
-  return object_schema({{"name", text_schema("unique in its scene")},
-                        {"position", vec3_schema("of the camera, in the scene's units")},
-                        {"look_at", vec3_schema("point that the camera looks at")},
-                        {"up", vec3_schema("default [0, 1, 0]")},
-                        {"fov", {{"type", "number"}, {"description", "vertical, degrees"}}}},
-                       {"name", "position", "look_at"});
+  Json properties = {{"name", text_schema("unique in its scene")}};
+  properties.update(camera_properties());
+  properties["time"] = time_schema("seconds; where moving entities stand; default 0");
+  properties["frame"] = object_schema(
+      {{"of", text_schema("name of a sequence")}, {"number", {{"type", "integer"}, {"minimum", 0}}}},
+      {"of", "number"});
+  Json key = {{"time", time_schema("seconds")}};
+  key.update(camera_properties());
+  properties["keyframes"] =
+      list_schema(object_schema(std::move(key), {"time"}), "what the view does not say for all of them", 2);
+  Json json = object_schema(std::move(properties), {"name"});
+  json["anyOf"] = Json::array({Json{{"required", Json::array({"position", "look_at"})}},
+                               Json{{"required", Json::array({"keyframes"})}}});
+  return json;
+}
+
+Json sequence_schema() {
+  return object_schema({{"start", time_schema("seconds; default 0")},
+                        {"frames", range_schema("integer", 2, kMaxFrames, "how many")},
+                        {"rate", range_schema("number", kMinFrameRate, kMaxFrameRate, "frames a second")}},
+                       {"frames", "rate"});
 }
 
 /// The places that views may come from: a camera script with names of its views or without, views written
@@ -106,7 +133,8 @@ Json scene_schema() {
        {"random", object_schema({{"count", range_schema("integer", 1, 10000, "how many views")},
                                  {"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 1}}},
                                  {"fov", range_schema("number", 1, 170, "vertical, degrees; default 60")}},
-                                {"count"})}},
+                                {"count"})},
+       {"sequence", sequence_schema()}},
       {"scene"});
   const Json objects = {{"items", {{"type", "object"}}}};
   const Json texts = {{"items", {{"type", "string"}}}};
@@ -204,8 +232,10 @@ std::string job_schema_text() {
       {"baseline",
        text_schema("variant that gain is measured against; default: the only variant of technique direct")},
       {"primary_reference", text_schema("default: the first")},
-      {"metrics", list_schema(enum_schema(row_names(metrics()), "a metric"),
-                              "default: all but those of fitted ambient light")},
+      {"metrics",
+       list_schema(enum_schema(row_names(metrics()), "a metric"),
+                   "default: all but those of fitted ambient light; those that look at the frame before "
+                   "only where a scene has a sequence")},
       {"gates", list_schema(gate_schema(), "rules that make the run pass or fail")},
       {"difference", difference_schema()},
       {"buffers", list_schema(enum_schema(all_buffers(), "a named buffer"), "written beside each snapshot")}};

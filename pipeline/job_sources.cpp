@@ -11,6 +11,7 @@
 #include "pipeline/tables.h"
 #include "renderer/technique.h"
 #include "scene/camera_script.h"
+#include "scene/scene_json.h"
 
 namespace lightbench {
 namespace {
@@ -94,6 +95,15 @@ JobViews read_views(JsonObject& object, const std::filesystem::path& base) {
   return read_random_views(random->object());
 }
 
+JobSequence read_sequence(JsonObject object) {
+  JobSequence sequence;
+  if (const auto start = object.find("start")) sequence.start = read_time(*start);
+  sequence.frames = int(object.at("frames").integer(2, kMaxFrames));
+  sequence.rate = object.at("rate").number(kMinFrameRate, kMaxFrameRate);
+  object.finish();
+  return sequence;
+}
+
 std::vector<ParamValue> read_sweep_values(const ParamSpec& spec, const JsonValue& list) {
   std::vector<ParamValue> values;
   std::set<std::string> seen;
@@ -136,6 +146,7 @@ JobScene read_scene(const JsonValue& value, const std::filesystem::path& base) {
   const auto name = object.find("name");
   scene.name = name ? read_name(*name) : scene.file.stem().string();
   scene.views = read_views(object, base);
+  if (const auto sequence = object.find("sequence")) scene.sequence = read_sequence(sequence->object());
   object.finish();
   return scene;
 }

@@ -29,6 +29,8 @@ Json scene_json(const JobScene& scene) {
     json["views"] = Json::parse(camera_script_text(*views)).at("views");
   if (const auto* random = std::get_if<RandomViewsRequest>(&scene.views))
     json["random"] = {{"count", random->count}, {"seed", random->seed}, {"fov", random->fov}};
+  if (const auto& sequence = scene.sequence)
+    json["sequence"] = {{"start", sequence->start}, {"frames", sequence->frames}, {"rate", sequence->rate}};
   return json;
 }
 

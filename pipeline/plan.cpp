@@ -38,6 +38,12 @@ std::string view_text(const Camera& camera) {
                      vec_text(camera.look_at), vec_text(camera.up), camera.fov);
 }
 
+/// What decides a view of a scene. The time is left out where nothing depends on it.
+void add_view(KeyParts& parts, const View& view, const SceneFacts& facts) {
+  parts.emplace_back("view", view_text(view.camera));
+  if (facts.moves) parts.emplace_back("time", fmt::format("{}", view.time));
+}
+
 class Planner {
  public:
   Planner(const Job& job, const PlanFacts& facts, const std::filesystem::path& out) : facts_(facts) {
@@ -54,6 +60,9 @@ class Planner {
 
  private:
   const Job& job() const { return plan_.job; }
+  const View& view_of(int scene, int view) const {
+    return views_of(job().scenes[std::size_t(scene)])[std::size_t(view)];
+  }
   double megapixels() const {
     return double(job().width) * job().height * job().samples * job().samples / 786432.0;
   }
@@ -64,17 +73,25 @@ class Planner {
     return 1 + std::max(0.0, std::log10(double(facts.triangles) / 100));
   }
 
+  /// What is rendered of a view: tasks by variant and by reference.
+  struct ViewTasks {
+    std::vector<std::size_t> snapshots, references;
+  };
+
   void add_scene(int scene) {
-    const int views = int(views_of(job().scenes[std::size_t(scene)]).size());
+    const auto& views = views_of(job().scenes[std::size_t(scene)]);
     shared_exports_.clear();
-    for (int view = 0; view < views; ++view) {
-      std::vector<std::size_t> snapshots, references;
-      for (int v = 0; v < int(job().variants.size()); ++v) snapshots.push_back(add_snapshot(scene, view, v));
+    std::vector<ViewTasks> tasks(views.size());
+    for (std::size_t view = 0; view < views.size(); ++view) {
+      auto& [snapshots, references] = tasks[view];
+      for (int v = 0; v < int(job().variants.size()); ++v)
+        snapshots.push_back(add_snapshot(scene, int(view), v));
       for (int r = 0; r < int(job().references.size()); ++r)
-        references.push_back(add_reference(scene, view, r));
+        references.push_back(add_reference(scene, int(view), r));
+      const auto before = previous_frame(views, view);
       for (std::size_t r = 0; r < references.size(); ++r)
         for (std::size_t v = 0; v < snapshots.size(); ++v)
-          add_score(scene, view, int(v), int(r), snapshots, references[r]);
+          add_score(scene, int(view), int(v), int(r), tasks[view], before ? &tasks[*before] : nullptr);
     }
   }
 
@@ -85,7 +102,7 @@ class Planner {
     task.view = view;
     const auto& job_scene = job().scenes[std::size_t(scene)];
     std::vector<std::string> plain = {job_scene.name};
-    if (view != kNone) plain.push_back(views_of(job_scene)[std::size_t(view)].name);
+    if (view != kNone) plain.push_back(view_of(scene, view).name);
     plain.insert(plain.end(), names.begin(), names.end());
     std::vector<std::string> escaped;
     for (const auto& name : plain) escaped.push_back(escape_file_name(name));
@@ -116,13 +133,12 @@ class Planner {
     const JobVariant& variant = job().variants[std::size_t(variant_index)];
     const Technique& technique = find_technique(variant.technique, "");
     const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
-    const auto& camera = views_of(job().scenes[std::size_t(scene)])[std::size_t(view)].camera;
     Task task = start_task(TaskKind::snapshot, scene, view, {variant.name});
     task.variant = variant_index;
     const auto buffers = variant_buffers(job(), variant);
     task.key_parts = {{"version", std::to_string(kSnapshotVersion)}};
     add_files(task.key_parts, facts);
-    task.key_parts.emplace_back("view", view_text(camera));
+    add_view(task.key_parts, view_of(scene, view), facts);
     task.key_parts.emplace_back("technique", technique.name + " " + technique_fingerprint(technique));
     task.key_parts.emplace_back("parameters", to_text(variant_params(variant)));
     add_size(task.key_parts);
@@ -185,8 +201,7 @@ class Planner {
                                    : facts.exports[std::size_t(reference_index)][std::size_t(view)];
     KeyParts parts;
     add_files(parts, facts);
-    parts.emplace_back("view",
-                       view_text(views_of(job().scenes[std::size_t(scene)])[std::size_t(view)].camera));
+    add_view(parts, view_of(scene, view), facts);
     parts.emplace_back("parameters", to_text(reference_params(reference)));
     return parts;
   }
@@ -227,18 +242,19 @@ class Planner {
     return join(parts, " ");
   }
 
-  void add_score(int scene, int view, int variant_index, int reference_index,
-                 const std::vector<std::size_t>& snapshots, std::size_t reference_task) {
+  /// `before` are the tasks of the frame before; null where there is none.
+  void add_score(int scene, int view, int variant_index, int reference_index, const ViewTasks& tasks,
+                 const ViewTasks* before) {
     const auto& variant = job().variants[std::size_t(variant_index)].name;
     const auto& reference = job().references[std::size_t(reference_index)].name;
     const auto& difference = job().difference;
     Task task = start_task(TaskKind::score, scene, view, {variant, reference});
     task.variant = variant_index;
     task.reference = reference_index;
-    task.deps = {snapshots[std::size_t(variant_index)], reference_task};
+    task.deps = {tasks.snapshots[std::size_t(variant_index)], tasks.references[std::size_t(reference_index)]};
     task.key_parts = {{"version", std::to_string(kScoreVersion)},
                       {"snapshot", plan_.tasks[task.deps[0]].key},
-                      {"reference", plan_.tasks[reference_task].key},
+                      {"reference", plan_.tasks[task.deps[1]].key},
                       {"metrics", metric_versions()}};
     task.key_parts.emplace_back("difference", fmt::format("{} {} {} {}", difference.images, difference.heat,
                                                           difference.baseline, difference.heat_scale));
@@ -246,7 +262,10 @@ class Planner {
     task.outputs = {stem + ".score.json"};
     if (difference.images) task.outputs.push_back(stem + ".diff.png");
     if (difference.heat) task.outputs.push_back(stem + ".heat.png");
-    if (!job().baseline.empty()) add_baseline(task, scene, view, variant, snapshots);
+    if (!job().baseline.empty()) add_baseline(task, scene, view, variant, tasks.snapshots);
+    if (before && needs_previous(job().metrics))
+      add_previous(task, before->snapshots[std::size_t(variant_index)],
+                   before->references[std::size_t(reference_index)]);
     task.group = "scores " + std::to_string(scene);
     task.expected_seconds = kScoreSeconds * megapixels() / (job().samples * job().samples);
     task.resources.memory_mb = int(100 + 100 * megapixels());
@@ -266,6 +285,13 @@ class Planner {
     const bool first_reference = task.reference == 0;
     if (job().difference.images && job().difference.baseline && first_reference)
       task.outputs.push_back(score_stem(job(), scene, view, variant, job().baseline) + ".diff.png");
+  }
+
+  void add_previous(Task& task, std::size_t snapshot, std::size_t reference) {
+    task.key_parts.emplace_back("snapshot before", plan_.tasks[snapshot].key);
+    task.key_parts.emplace_back("reference before", plan_.tasks[reference].key);
+    task.deps.push_back(snapshot);
+    task.deps.push_back(reference);
   }
 
   const PlanFacts& facts_;

@@ -59,6 +59,7 @@ struct Plan {
 struct SceneFacts {
   std::string error;  ///< why it cannot be used; then the rest is empty
   std::size_t triangles = 0;
+  bool moves = false;  ///< whether its pictures depend on the view's time
   std::vector<std::string> warnings;
   std::vector<Credit> credits;
   KeyParts files;                                     ///< name and hash of everything that was read

@@ -43,7 +43,8 @@ struct ReferenceImage {
   std::map<std::string, double> ray_rates;  ///< rays a second, by class of ray; of a path tracer
 };
 
-/// What a scene gives to all its reference views: made once, then asked many times.
+/// What a scene gives to all its reference views: made once, then asked many times, the scene being at the
+/// time of the view that is asked for.
 class SceneExport {
  public:
   virtual ~SceneExport() = default;
@@ -72,6 +73,7 @@ struct ReferenceKind {
   std::vector<std::string> (*view_suffixes)(const ParamValues& params) = nullptr;
   std::unique_ptr<SceneExport> (*make_export)(const Scene& scene) = nullptr;
   ReferenceImage (*run_export)(const ReferenceRequest& request, const ExportFiles& files) = nullptr;
+  /// The scene is at the view's time.
   ReferenceImage (*run_scene)(const ReferenceRequest& request, const Scene& scene) = nullptr;
 
   bool exports() const { return make_export != nullptr; }

@@ -16,6 +16,7 @@
 #include "pipeline/plan_file.h"
 #include "pipeline/score.h"
 #include "pipeline/snapshot.h"
+#include "scene/motion.h"
 #include "scene/scene_file.h"
 
 namespace lightbench {
@@ -50,14 +51,17 @@ struct TaskWorker::Impl {
   }
   std::filesystem::path file(const std::string& relative) const { return plan.out / relative; }
 
+  /// The task's scene, at the time of its view.
   void load(const Task& task) {
-    if (loaded == task.scene) return;
-    exports.clear();
-    renderer.reset();
-    loaded = kNone;
-    scene = load_scene(job_scene(task).file);
-    scene.name = job_scene(task).name;  // what a folder of pictures is searched by
-    loaded = task.scene;
+    if (loaded != task.scene) {
+      exports.clear();
+      renderer.reset();
+      loaded = kNone;
+      scene = load_scene(job_scene(task).file);
+      scene.name = job_scene(task).name;  // what a folder of pictures is searched by
+      loaded = task.scene;
+    }
+    set_time(scene, view(task).time);
   }
 
   SceneExport& scene_export(const std::string& kind) {
@@ -174,6 +178,12 @@ TaskResult TaskWorker::Impl::score(const Task& task) {
   if (!baseline_albedo(job()).empty())
     request.baseline_albedo =
         file(buffer_stem(job(), task.scene, task.view, job().baseline, baseline_albedo(job())) + ".exr");
+  const auto& views = views_of(job_scene(task));
+  if (const auto before = previous_frame(views, std::size_t(task.view));
+      before && needs_previous(job().metrics)) {
+    request.previous_image = file(image_stem(job(), task.scene, int(*before), variant) + ".exr");
+    request.previous_reference = file(image_stem(job(), task.scene, int(*before), reference) + ".exr");
+  }
   request.metrics = job().metrics;
   const auto start = std::chrono::steady_clock::now();
   const Score score = compute_score(request);

@@ -10,6 +10,7 @@
 #include "pipeline/commands/view_options.h"
 #include "pipeline/references.h"
 #include "pipeline/tables.h"
+#include "scene/motion.h"
 #include "scene/scene_file.h"
 
 namespace lightbench {
@@ -31,11 +32,12 @@ ExitCode run_export(const ExportParams& params) {
   const ParamValues values =
       resolve_params(kind.params, kind.presets, params.preset.empty() ? kind.default_preset : params.preset,
                      parse_params(kind.params, params.params), "--preset");
-  const Scene scene = load_scene(params.view.scene);
+  Scene scene = load_scene(params.view.scene);
   const auto exported = kind.make_export(scene);
   const std::filesystem::path folder = params.folder;
   for (const auto& name : exported->write_shared(folder)) std::printf("%s\n", (folder / name).c_str());
   for (const auto& view : chosen_views(params.view, scene)) {
+    set_time(scene, view.time);
     const auto stem = folder / escape_file_name(view.name);
     exported->write_view({view, size.width, size.height, params.view.samples, values, {}}, stem);
     for (const auto& suffix : kind.view_suffixes(values)) std::printf("%s%s\n", stem.c_str(), suffix.c_str());

@@ -48,7 +48,7 @@ ExitCode run_reference(const ReferenceParams& params) {
   const ParamValues values =
       resolve_params(kind.params, kind.presets, params.preset.empty() ? kind.default_preset : params.preset,
                      parse_params(kind.params, params.params), "--preset");
-  const Scene scene = load_scene(params.view.scene);
+  Scene scene = load_scene(params.view.scene);
   const View view = chosen_view(params.view, scene);
   const ReferenceRequest request{view,        size.width,
                                  size.height, params.view.samples,

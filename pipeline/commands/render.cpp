@@ -44,7 +44,7 @@ ExitCode run_render(const RenderParams& params) {
   const ParamValues values = resolve_params(technique.params, technique.presets, params.preset,
                                             parse_params(technique.params, params.params), "--preset");
   const ImageSize size = parse_size(params.view.size);
-  const Scene scene = load_scene(params.view.scene);
+  Scene scene = load_scene(params.view.scene);
   for (const auto& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   const View view = chosen_view(params.view, scene);
   FrameRequest request{scene,

@@ -13,6 +13,7 @@
 #include "pipeline/tables.h"
 #include "renderer/rays.h"
 #include "scene/camera_script.h"
+#include "scene/motion.h"
 #include "scene/random_views.h"
 
 namespace lightbench {
@@ -63,6 +64,7 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
       .add_option("--fov", options.fov, "Vertical field of view, degrees, of --position and of a drawn view")
       ->check(CLI::Range(1.0, 170.0))
       ->capture_default_str();
+  command.add_option("--time", options.time, "Seconds: where keyframes stand; default: the view's time");
   command.add_option("--size", options.size, "Image size, WIDTHxHEIGHT")->capture_default_str();
   command.add_option("--samples", options.samples, "Supersampling per axis")
       ->check(CLI::Range(1, 8))
@@ -82,7 +84,10 @@ ImageSize parse_size(const std::string& text) {
   return {int(sides[0]), int(sides[1])};
 }
 
-std::vector<View> chosen_views(const ViewOptions& options, const Scene& scene) {
+namespace {
+
+/// As the script has them.
+std::vector<View> named_views(const ViewOptions& options, const Scene& scene) {
   if (options.cameras.empty()) {
     if (!options.position.empty()) return {given_view(options)};
     std::fprintf(stderr, "no camera is given: a view is drawn at random (seed 1)\n");
@@ -99,8 +104,20 @@ std::vector<View> chosen_views(const ViewOptions& options, const Scene& scene) {
   return {*found};
 }
 
-View chosen_view(const ViewOptions& options, const Scene& scene) {
-  return chosen_views(options, scene).front();
+}  // namespace
+
+std::vector<View> chosen_views(const ViewOptions& options, Scene& scene) {
+  set_time(scene, options.time.value_or(0));  // a view is drawn where the entities stand
+  auto views = named_views(options, scene);
+  if (options.time)
+    for (auto& view : views) view = view_at(view, *options.time);
+  return views;
+}
+
+View chosen_view(const ViewOptions& options, Scene& scene) {
+  const View view = chosen_views(options, scene).front();
+  set_time(scene, view.time);
+  return view;
 }
 
 std::map<std::string, ParamValue> parse_params(std::span<const ParamSpec> specs,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct ViewOptions {
   std::vector<float> position;
   std::vector<float> look_at;
   std::vector<float> up = {0, 1, 0};
-  float fov = 60;  ///< degrees
+  float fov = 60;              ///< degrees
+  std::optional<double> time;  ///< seconds; else that of the view
   std::string size = "1024x768";
   int samples = 1;
 };
@@ -30,10 +32,11 @@ struct ImageSize {
 
 void add_view_options(CLI::App& command, ViewOptions& options);
 ImageSize parse_size(const std::string& text);
-/// The view that the options name; without any, a valid one drawn at random with seed 1.
-View chosen_view(const ViewOptions& options, const Scene& scene);
-/// All views of the camera script, or the chosen one.
-std::vector<View> chosen_views(const ViewOptions& options, const Scene& scene);
+/// All views of the camera script, or the chosen one, each at its time; without a camera, a valid one drawn
+/// at random with seed 1.
+std::vector<View> chosen_views(const ViewOptions& options, Scene& scene);
+/// The first of them, with the scene put at its time.
+View chosen_view(const ViewOptions& options, Scene& scene);
 
 /// `name=value` texts as parameters of a technique or reference.
 std::map<std::string, ParamValue> parse_params(std::span<const ParamSpec> specs,

@@ -1,5 +1,7 @@
 #include "pipeline/references/povray.h"
 
+#include <cassert>
+
 #include "base/color.h"
 #include "base/files.h"
 #include "base/hash.h"
@@ -69,6 +71,7 @@ class PovExport : public SceneExport {
 
  private:
   std::string view_text(const ReferenceRequest& request, const PovOptions& options) const {
+    assert(scene_.time == request.view.time);
     return pov_view(scene_, assets_, request.view.camera, double(request.width) / request.height, options);
   }
 

@@ -87,5 +87,61 @@ TEST(Concrete, NamedViewsAreTakenInTheOrderOfTheJob) {
   }
 }
 
+Job sequence_job(const std::string& scene_keys = "",
+                 const std::string& sequence = R"({"start": 1, "frames": 3, "rate": 2})") {
+  return test::concrete_job(replaced(kJobText, R"("scene": "one.json",)",
+                                     R"("scene": "one.json", "sequence": )" + sequence + "," + scene_keys));
+}
+
+TEST(Concrete, ASequenceMakesFramesOfEachView) {
+  const Job job = sequence_job();
+  EXPECT_THAT(row_names(views_of(job.scenes[0])),
+              ElementsAre("a.000", "a.001", "a.002", "b.000", "b.001", "b.002"));
+  EXPECT_THAT(row_names(views_of(job.scenes[1])), ElementsAre("a")) << "of a scene without a sequence";
+  const View& last = views_of(job.scenes[0])[5];
+  EXPECT_EQ(last.time, 2);
+  EXPECT_EQ(last.frame->sequence, "b");
+  EXPECT_EQ(last.frame->number, 2);
+}
+
+TEST(Concrete, FramesHaveTheCameraOfTheirTimeAndMoveNoMore) {
+  const Job job = test::concrete_job(R"({"scenes": [{"scene": "s.json", "sequence": {"frames": 3, "rate": 1},
+      "views": [{"name": "a", "look_at": [0, 0, 0], "keyframes": [{"time": 0, "position": [0, 0, 2]},
+                                                                 {"time": 2, "position": [0, 0, 6]}]}]}],
+      "variants": [{"technique": "direct"}]})");
+  const auto& views = views_of(job.scenes[0]);
+  EXPECT_EQ(views[0].camera.position, glm::vec3(0, 0, 2));
+  EXPECT_EQ(views[1].camera.position, glm::vec3(0, 0, 4));
+  EXPECT_THAT(views[1].keyframes, testing::IsEmpty());
+}
+
+TEST(Concrete, ACameraThatIsNotPossibleInAFrameIsAnErrorWithItsPlace) {
+  try {
+    test::concrete_job(R"({"scenes": [{"scene": "s.json", "sequence": {"frames": 3, "rate": 1},
+        "views": [{"name": "a", "look_at": [0, 0, 0], "keyframes": [{"time": 0, "position": [0, 0, 2]},
+                                                                   {"time": 2, "position": [0, 0, -2]}]}]}],
+        "variants": [{"technique": "direct"}]})");
+    FAIL() << "the camera stands at its look_at";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("job.json: $.scenes[0].views[0]"));
+    EXPECT_THAT(error.what(), HasSubstr("at 1 s"));
+  }
+}
+
+TEST(Concrete, AFrameIsNotMadeASequence) {
+  EXPECT_THROW(test::concrete_job(R"({"scenes": [{"scene": "s.json", "sequence": {"frames": 3, "rate": 1},
+        "views": [{"name": "a", "position": [0, 0, 1], "look_at": [0, 0, 0], "frame": {"of": "walk", "number": 0}}]}],
+        "variants": [{"technique": "direct"}]})"),
+               Error);
+}
+
+TEST(Concrete, TheFrameBeforeIsThatOfTheSameSequence) {
+  const auto views = views_of(sequence_job().scenes[0]);
+  EXPECT_EQ(previous_frame(views, 0), std::nullopt);
+  EXPECT_EQ(previous_frame(views, 2), 1u);
+  EXPECT_EQ(previous_frame(views, 3), std::nullopt) << "the first of another sequence";
+  EXPECT_EQ(previous_frame({{"still", {}}, {"still too", {}}}, 1), std::nullopt);
+}
+
 }  // namespace
 }  // namespace lightbench

@@ -173,5 +173,27 @@ const BadJob kBadJobs[] = {
 };
 INSTANTIATE_TEST_SUITE_P(All, JobFileError, ::testing::ValuesIn(kBadJobs));
 
+TEST(JobFile, AJobWithASequenceHasTheMetricsOfSequences) {
+  const std::string text = R"({"scenes": [{"scene": "s.json", "random": {"count": 1}SEQUENCE}],
+                               "variants": [{"technique": "direct"}]})";
+  const auto metrics_with = [&](const std::string& sequence) {
+    return parse_job(replaced(text, "SEQUENCE", sequence), "/job.json").metrics;
+  };
+  EXPECT_THAT(metrics_with(""), testing::Not(testing::Contains("flicker")));
+  EXPECT_THAT(metrics_with(R"(, "sequence": {"frames": 2, "rate": 12})"), testing::Contains("flicker"));
+}
+
+TEST(JobFile, ASequenceReadsBackFromItsText) {
+  const auto job = parse_job(R"({"scenes": [{"scene": "s.json", "random": {"count": 1},
+                                             "sequence": {"start": 0.1, "frames": 5, "rate": 24}}],
+                                 "variants": [{"technique": "direct"}]})",
+                             "/job.json");
+  const auto again = parse_job(job_text(job), "/job.json");
+  ASSERT_TRUE(again.scenes[0].sequence);
+  EXPECT_EQ(again.scenes[0].sequence->start, 0.1);
+  EXPECT_EQ(again.scenes[0].sequence->frames, 5);
+  EXPECT_EQ(again.scenes[0].sequence->rate, 24);
+}
+
 }  // namespace
 }  // namespace lightbench

@@ -213,5 +213,38 @@ TEST(PlanReferences, AnEstimateOfNoiseExportsASecondView) {
   EXPECT_THAT(task_called(direct, "export:one/a/truth").outputs, ElementsAre("views/one/a/truth.pov"));
 }
 
+Job sequence_job(const std::string& metrics) {
+  auto text = replaced(kJobText, R"("scene": "one.json",)",
+                       R"("scene": "one.json", "sequence": {"frames": 2, "rate": 2},)");
+  return concrete_job(
+      replaced(text, R"("metrics": ["mean_error", "gain"])", R"("metrics": [)" + metrics + "]"));
+}
+
+TEST(Plan, AScoreNeedsTheFrameBeforeWhereAMetricDoes) {
+  const Plan plan = plan_of(sequence_job(R"("flicker")"));
+  EXPECT_THAT(dep_ids(plan, task_called(plan, "score:one/b.001/direct/truth")),
+              ElementsAre("snapshot:one/b.001/direct", "reference:one/b.001/truth",
+                          "snapshot:one/b.000/direct", "reference:one/b.000/truth"));
+  EXPECT_THAT(dep_ids(plan, task_called(plan, "score:one/b.000/direct/truth")),
+              ElementsAre("snapshot:one/b.000/direct", "reference:one/b.000/truth"));
+}
+
+TEST(Plan, NoOtherMetricLooksAtTheFrameBefore) {
+  const Plan plan = plan_of(sequence_job(R"("mean_error")"));
+  EXPECT_THAT(dep_ids(plan, task_called(plan, "score:one/b.001/direct/truth")),
+              ElementsAre("snapshot:one/b.001/direct", "reference:one/b.001/truth"));
+}
+
+TEST(Plan, TheTimeIsPartOfKeysOnlyWhereTheSceneMoves) {
+  const Job job = sequence_job(R"("mean_error")");
+  PlanFacts facts = facts_for(job);
+  const auto keys = [&](const std::string& frame) {
+    return task_called(make_plan(job, facts, "/out"), "snapshot:one/a." + frame + "/direct").key;
+  };
+  EXPECT_EQ(keys("000"), keys("001")) << "the camera stands still too";
+  facts.scenes[0].moves = true;
+  EXPECT_NE(keys("000"), keys("001"));
+}
+
 }  // namespace
 }  // namespace lightbench
