@@ -44,6 +44,7 @@ class Gatherer {
     for (const auto& [kind, version] : facts_.tools) report_.tools[kind] = version;
     add_sources();
     add_scenes();
+    for (const auto& scene : job.scenes) add_sequences(scene);
     for (std::size_t i = 0; i < plan_.tasks.size(); ++i) add_task(i);
     return std::move(report_);
   }
@@ -102,6 +103,19 @@ class Gatherer {
       for (const auto& credit : facts.credits)
         scene.credits.push_back({credit.piece, credit.creator, credit.license});
       report_.scenes.push_back(std::move(scene));
+    }
+  }
+
+  void add_sequences(const JobScene& scene) {
+    std::vector<const View*> frames;
+    for (const auto& view : views_of(scene))
+      if (view.frame) frames.push_back(&view);
+    std::ranges::stable_sort(frames, {}, [](const View* view) { return view->frame->number; });
+    std::map<std::string, std::size_t> index;
+    for (const View* view : frames) {
+      const auto [entry, added] = index.try_emplace(view->frame->sequence, report_.sequences.size());
+      if (added) report_.sequences.push_back({scene.name, view->frame->sequence, {}});
+      report_.sequences[entry->second].frames.push_back({view->name, view->time});
     }
   }
 

@@ -35,6 +35,18 @@ struct ReportScene {
   std::vector<ReportCredit> credits;
 };
 
+/// A view that is a frame of a sequence.
+struct ReportFrame {
+  std::string view;
+  double time = 0;  ///< seconds
+};
+
+struct ReportSequence {
+  std::string scene;
+  std::string name;
+  std::vector<ReportFrame> frames;  ///< in their order
+};
+
 /// A variant or a reference as the job has it.
 struct ReportImageSource {
   std::string name;
@@ -110,6 +122,7 @@ struct RunReport {
   std::vector<std::string> metric_names;
   std::map<std::string, std::string> tools;  ///< name -> version or fingerprint
   std::vector<ReportScene> scenes;
+  std::vector<ReportSequence> sequences;
   std::vector<ReportImageSource> variants;
   std::vector<ReportImageSource> references;
   std::vector<ReportImage> images;

@@ -42,6 +42,19 @@ void visit(Archive& archive, T& scene) requires std::is_same_v<std::remove_const
 }
 
 template <typename Archive, typename T>
+void visit(Archive& archive, T& frame) requires std::is_same_v<std::remove_const_t<T>, ReportFrame> {
+  archive.required("view", frame.view);
+  archive.required("time", frame.time);
+}
+
+template <typename Archive, typename T>
+void visit(Archive& archive, T& sequence) requires std::is_same_v<std::remove_const_t<T>, ReportSequence> {
+  archive.required("scene", sequence.scene);
+  archive.required("name", sequence.name);
+  archive.required("frames", sequence.frames);
+}
+
+template <typename Archive, typename T>
 void visit(Archive& archive, T& source) requires std::is_same_v<std::remove_const_t<T>, ReportImageSource> {
   archive.required("name", source.name);
   archive.required("kind", source.kind);
@@ -112,6 +125,7 @@ void visit(Archive& archive, T& report) requires std::is_same_v<std::remove_cons
   archive.required("metric_names", report.metric_names);
   archive.required("tools", report.tools);
   archive.required("scenes", report.scenes);
+  archive.optional("sequences", report.sequences);
   archive.required("variants", report.variants);
   archive.required("references", report.references);
   archive.required("images", report.images);

@@ -38,6 +38,7 @@ std::string header(const RunReport& report) {
 
 std::string navigation(const RunReport& report, bool problems) {
   std::string links = "<a href=\"#summary\">Summary</a>";
+  if (!report.sequences.empty()) links += "<a href=\"#sequences\">Sequences</a>";
   if (!report.gates.empty()) links += "<a href=\"#gates\">Gates</a>";
   if (problems) links += "<a href=\"#problems\">Problems</a>";
   links += "<a href=\"#pictures\">Pictures</a>";
@@ -62,8 +63,8 @@ std::vector<ReportFile> write_html(const RunReport& report) {
       "<style>\n{}</style>\n</head>\n<body>\n",
       h(report.job), kReportCss);
   page += header(report) + navigation(report, !problems.empty()) + "<main>\n";
-  page += html_summary(report, rows) + html_gates(report) + problems + html_pictures(report, rows) +
-          html_scores(report, rows) + html_about(report);
+  page += html_summary(report, rows) + html_sequences(report, rows) + html_gates(report) + problems +
+          html_pictures(report, rows) + html_scores(report, rows) + html_about(report);
   page += "</main>\n<script type=\"application/json\" id=\"run-data\">" + html_data(report, rows) +
           "</script>\n<script>\n" + kReportJs + "</script>\n</body>\n</html>\n";
   return {{"index.html", page}};

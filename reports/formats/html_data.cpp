@@ -2,6 +2,7 @@
 
 #include "reports/escape.h"
 #include "reports/formats/html_parts.h"
+#include "reports/sequences.h"
 #include "reports/value_text.h"
 
 namespace lightbench {
@@ -69,15 +70,26 @@ Json view_data(const RunReport& report, const ViewRows::View& view) {
   return {{"name", clean_utf8(view.title())}, {"pictures", pictures}, {"scores", scores}};
 }
 
+/// The frames as indices of views, and how fast they follow one another.
+Json sequence_data(const ReportSequence& sequence, const ViewRows& rows) {
+  Json frames = Json::array();
+  for (const ReportFrame& frame : sequence.frames)
+    if (const ViewRows::View* view = rows.find(sequence.scene, frame.view))
+      frames.push_back(view - rows.views.data());
+  return {{"rate", frame_rate(sequence)}, {"frames", frames}};
+}
+
 }  // namespace
 
 std::string html_data(const RunReport& report, const ViewRows& rows) {
   Json views = Json::array();
   for (const ViewRows::View& view : rows.views) views.push_back(view_data(report, view));
-  const Json data = {{"width", report.width},
-                     {"height", report.height},
-                     {"reference", clean_utf8(report.primary_reference)},
-                     {"views", views}};
+  Json data = {{"width", report.width},
+               {"height", report.height},
+               {"reference", clean_utf8(report.primary_reference)},
+               {"views", views}};
+  for (const ReportSequence& sequence : report.sequences)
+    data["sequences"].push_back(sequence_data(sequence, rows));
   return escape_json_for_script(data.dump());
 }
 

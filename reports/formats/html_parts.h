@@ -28,10 +28,13 @@ struct ViewRows {
   std::vector<View> views;
 
   explicit ViewRows(const RunReport& report);
+  const View* find(const std::string& scene, const std::string& name) const;  ///< null where there is none
 };
 
 /// Means per variant and reference, with the distribution of the leading metric over the views.
 std::string html_summary(const RunReport& report, const ViewRows& rows);
+/// The sequences: numbers of each variant, and a film to step through; empty where there are none.
+std::string html_sequences(const RunReport& report, const ViewRows& rows);
 std::string html_gates(const RunReport& report);
 /// Failed tasks and warnings; empty where there are none.
 std::string html_problems(const RunReport& report);

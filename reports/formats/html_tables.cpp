@@ -184,6 +184,12 @@ ViewRows::ViewRows(const RunReport& report) {
     view_of(score.scene, score.view).scores[{score.variant, score.reference}] = &score;
 }
 
+const ViewRows::View* ViewRows::find(const std::string& scene, const std::string& name) const {
+  const auto found =
+      std::ranges::find_if(views, [&](const View& view) { return view.scene == scene && view.name == name; });
+  return found == views.end() ? nullptr : &*found;
+}
+
 std::string number_cell(const std::string& metric, const MetricValue& value, const MetricValue& ceiling) {
   if (!value.value)
     return fmt::format("<td class=\"number dim\" title=\"{}\">–</td>", h(value.undefined_because));

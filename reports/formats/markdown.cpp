@@ -8,6 +8,7 @@
 #include "reports/cost_chart.h"
 #include "reports/escape.h"
 #include "reports/reference_facts.h"
+#include "reports/sequences.h"
 #include "reports/value_text.h"
 
 namespace lightbench {
@@ -102,6 +103,24 @@ std::string references(const RunReport& report) {
   return text + "\n";
 }
 
+std::string sequences(const RunReport& report) {
+  const std::vector<SequenceFacts> all = sequence_facts(report);
+  if (all.empty()) return "";
+  const Metric error = metric_or_plain("mean_error"), flicker = metric_or_plain("flicker");
+  std::string text =
+      "### Sequences\n\n" +
+      row({"sequence", "variant", "reference", "frames", cell("mean_error"), "flicker", "worst", "in"}) +
+      row({":--", ":--", ":--", "--:", "--:", "--:", "--:", ":--"});
+  for (std::size_t i = 0; i < std::min(all.size(), kRows); ++i) {
+    const SequenceFacts& facts = all[i];
+    text += row({cell(facts.sequence->scene + "/" + facts.sequence->name), cell(facts.variant),
+                 cell(facts.reference), std::to_string(facts.sequence->frames.size()),
+                 value_text(error, facts.mean_error), value_text(flicker, facts.flicker),
+                 value_text(flicker, facts.worst_flicker), cell(facts.worst_view)});
+  }
+  return text + more(all.size()) + "\n";
+}
+
 std::string worst_views(const RunReport& report) {
   const std::string leading = leading_metric(report);
   if (leading.empty()) return "";
@@ -146,7 +165,8 @@ std::vector<ReportFile> write_markdown(const RunReport& report) {
   text += fmt::format("{} of {}x{}", counted(counts.views, "view"), report.width, report.height);
   if (!report.baseline.empty()) text += ", baseline " + cell(report.baseline);
   text += fmt::format(", {}.\n\n", duration_text(report.seconds));
-  text += failures(report) + gates(report) + means(report) + references(report) + worst_views(report);
+  text += failures(report) + gates(report) + means(report) + sequences(report) + references(report) +
+          worst_views(report);
   return {{"summary.md", text}};
 }
 

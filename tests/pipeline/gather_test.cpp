@@ -128,5 +128,25 @@ TEST_F(Gather, WhatTheSceneLacksIsToldWithIt) {
   EXPECT_EQ(made.scenes[0].credits.at(0).creator, "someone");
 }
 
+TEST(GatherSequences, FramesStandInTheirOrderWithTheirTimes) {
+  auto text = replaced(test::kJobText, R"("scene": "one.json",)",
+                       R"("scene": "one.json", "sequence": {"start": 3, "frames": 2, "rate": 4},)");
+  // A sequence that a script wrote out, last frame first.
+  text = replaced(
+      text, R"({"name": "a", "position": [1, 0, 0], "look_at": [0, 0, 0]})",
+      R"({"name": "late", "position": [1, 0, 0], "look_at": [0, 0, 0], "time": 7, "frame": {"of": "x", "number": 1}},
+                     {"name": "early", "position": [1, 0, 0], "look_at": [0, 0, 0], "frame": {"of": "x", "number": 0}})");
+  const Plan plan = test::plan_of(test::concrete_job(text));
+  const RunReport made =
+      gather_report(plan, test::facts_for(plan.job), std::vector<TaskOutcome>(plan.tasks.size()), {});
+  ASSERT_EQ(made.sequences.size(), 3u);
+  EXPECT_EQ(made.sequences[1].scene, "one");
+  EXPECT_EQ(made.sequences[1].name, "b");
+  EXPECT_EQ(made.sequences[1].frames[1].view, "b.001");
+  EXPECT_EQ(made.sequences[1].frames[1].time, 3.25);
+  EXPECT_EQ(made.sequences[2].frames[0].view, "early");
+  EXPECT_EQ(made.sequences[2].frames[1].view, "late");
+}
+
 }  // namespace
 }  // namespace lightbench

@@ -80,6 +80,9 @@ TEST(RunReportJson, MeetsItsSchema) {
 
 TEST(RunReportJson, AnEmptyRunMeetsTheSchema) {
   EXPECT_EQ(schema_errors(nlohmann::json::parse(run_report_to_json({}))), "");
+  RunReport moving;
+  moving.sequences = {{"box", "walk", {{"walk.000", 0}, {"walk.001", 0.5}}}};
+  EXPECT_EQ(schema_errors(nlohmann::json::parse(run_report_to_json(moving))), "");
 }
 
 TEST(RunReportJson, TheSchemaRefusesWhatTheReaderRefuses) {

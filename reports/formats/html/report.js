@@ -97,6 +97,38 @@
     }));
   }
 
+  // Films: the pictures of a sequence, frame by frame.
+  for (const film of document.querySelectorAll('.film')) {
+    const {rate, frames} = data.sequences[film.dataset.sequence];
+    const tools = film.querySelector('form');
+    const [play, slider, heat, output] = tools.querySelectorAll('button, input, output');
+    const images = [...film.querySelectorAll('img')];
+    const pictureOf = (view, source, kind) => view.pictures.find((picture) => picture.of === source
+      && picture.kind === kind && (!picture.against || picture.against === data.reference));
+    const show = () => {
+      const view = data.views[frames[slider.value]];
+      for (const image of images) {
+        const source = image.dataset.source;
+        const picture = (heat.checked && pictureOf(view, source, 'heat'))
+          || pictureOf(view, source, 'variant') || pictureOf(view, source, 'reference');
+        if (picture) image.src = picture.src; else image.removeAttribute('src');
+      }
+      output.textContent = view.name;
+    };
+    let timer = 0;
+    const stop = () => { clearInterval(timer); timer = 0; play.textContent = 'Play'; };
+    play.addEventListener('click', () => {
+      if (timer) { stop(); return; }
+      play.textContent = 'Stop';
+      timer = setInterval(() => { slider.value = (Number(slider.value) + 1) % frames.length; show(); }, 1000 / (rate || 12));
+    });
+    slider.addEventListener('input', () => { stop(); show(); });
+    heat.addEventListener('change', show);
+    tools.addEventListener('submit', (event) => event.preventDefault());
+    tools.hidden = false;
+    show();
+  }
+
   // The viewer: two pictures of one view, slid, flipped or side by side, with one zoom for both.
   const modes = [['slide', 'Slide', 's'], ['flip', 'Flip', 'f'], ['side', 'Side by side', 'd']];
   const state = {view: 0, a: 0, b: 0, mode: 'slide', split: .5, front: 'b', zoom: 0, x: 0, y: 0};
