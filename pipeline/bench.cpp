@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "pipeline/concrete.h"
+#include "pipeline/selection.h"
 #include "pipeline/snapshot.h"
 #include "renderer/renderer.h"
 #include "scene/motion.h"
@@ -64,6 +67,25 @@ std::vector<BenchRow> bench_view(const Job& job, const JobScene& job_scene, cons
   return rows;
 }
 
+struct TimedView {
+  View view;
+  std::vector<JobVariant> variants;
+};
+
+std::vector<TimedView> timed_views(const Job& job, const JobScene& scene, const std::string& only) {
+  std::vector<TimedView> timed;
+  for (const auto& view : views_of(scene)) {
+    std::vector<JobVariant> variants;
+    std::copy_if(job.variants.begin(), job.variants.end(), std::back_inserter(variants),
+                 [&](const JobVariant& variant) {
+                   const std::string label = fmt::format("{}/{}/{}", scene.name, view.name, variant.name);
+                   return !find_technique(variant.technique, "").offline && is_selected(label, only);
+                 });
+    if (!variants.empty()) timed.push_back({view, std::move(variants)});
+  }
+  return timed;
+}
+
 }  // namespace
 
 BenchTime summarize(const std::string& pass, std::vector<double> seconds) {
@@ -72,17 +94,19 @@ BenchTime summarize(const std::string& pass, std::vector<double> seconds) {
   return {pass, quantile(seconds, 0.5), quantile(seconds, 0.25), quantile(seconds, 0.75)};
 }
 
-std::vector<BenchRow> bench_job(const Job& concrete, const std::string& gl, int rounds) {
-  Job job = concrete;
-  std::erase_if(job.variants,
-                [](const JobVariant& variant) { return find_technique(variant.technique, "").offline; });
+std::vector<BenchRow> bench_job(const Job& concrete, const std::string& gl, int rounds,
+                                const std::string& only) {
   std::vector<BenchRow> rows;
-  for (const auto& job_scene : job.scenes) {
+  for (const auto& job_scene : concrete.scenes) {
+    const auto timed = timed_views(concrete, job_scene, only);
+    if (timed.empty()) continue;
     Scene scene = load_scene(job_scene.file);
     scene.name = job_scene.name;
     Renderer renderer(parse_gl(gl, "--gl"));
-    for (const auto& view : views_of(job_scene)) {
+    for (const auto& [view, variants] : timed) {
       set_time(scene, view.time);
+      Job job = concrete;
+      job.variants = variants;
       for (auto& row : bench_view(job, job_scene, scene, view, renderer, rounds))
         rows.push_back(std::move(row));
     }
@@ -101,6 +125,24 @@ std::string bench_table(const std::vector<BenchRow>& rows) {
       label.clear();
     }
   }
+  return text;
+}
+
+std::string bench_means(const std::vector<BenchRow>& rows) {
+  std::vector<std::string> order;
+  std::map<std::string, std::vector<double>> medians;
+  for (const auto& row : rows) {
+    if (!medians.contains(row.variant)) order.push_back(row.variant);
+    medians[row.variant].push_back(row.times.front().median);
+  }
+  const auto mean = [&](const std::string& variant) {
+    const auto& values = medians.at(variant);
+    return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
+  };
+  std::string text = fmt::format("{:<44} {:>5} {:>10} {:>10}\n", "variant", "views", "mean ms", "to first");
+  for (const auto& variant : order)
+    text += fmt::format("{:<44} {:>5} {:>10.2f} {:>10.2f}\n", variant, medians.at(variant).size(),
+                        mean(variant) * 1e3, mean(variant) / mean(order.front()));
   return text;
 }
 

@@ -6,6 +6,10 @@
 
 namespace lightbench {
 
+bool is_selected(const std::string& label, const std::string& only) {
+  return only.empty() || matches_glob(label, only) || matches_glob(label, only + "/*");
+}
+
 std::vector<bool> select_tasks(const Plan& plan, const std::set<TaskKind>& stages, const std::string& only) {
   const auto in_stages = [&](const Task& task) {
     if (stages.empty() || stages.contains(task.kind)) return true;
@@ -13,9 +17,7 @@ std::vector<bool> select_tasks(const Plan& plan, const std::set<TaskKind>& stage
   };
   std::vector<bool> selected(plan.tasks.size(), false);
   for (std::size_t i = 0; i < plan.tasks.size(); ++i) {
-    const std::string& label = plan.tasks[i].label;
-    const bool wanted = only.empty() || matches_glob(label, only) || matches_glob(label, only + "/*");
-    selected[i] = wanted && in_stages(plan.tasks[i]);
+    selected[i] = is_selected(plan.tasks[i].label, only) && in_stages(plan.tasks[i]);
   }
   for (std::size_t i = plan.tasks.size(); i-- > 0;)
     if (selected[i])

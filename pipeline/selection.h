@@ -10,9 +10,11 @@
 /// Parts of a run: one flag for each task of the plan.
 namespace lightbench {
 
-/// Which tasks --stages and --only choose: those of the named kinds (none: all) whose label matches the
-/// pattern, or begins with it as a path, and what they need of those kinds. An export comes with its
-/// reference.
+/// Whether a label, such as scene/view/variant, matches the pattern, or begins with it as a path; empty: any.
+bool is_selected(const std::string& label, const std::string& only);
+
+/// Which tasks --stages and --only choose: those of the named kinds (none: all) whose label is
+/// selected, and what they need of those kinds. An export comes with its reference.
 std::vector<bool> select_tasks(const Plan& plan, const std::set<TaskKind>& stages, const std::string& only);
 
 /// Which tasks --retry-failed chooses: those that failed the last time, what was skipped because of them, and

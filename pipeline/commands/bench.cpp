@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
 #include "base/files.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/concrete.h"
@@ -22,6 +23,7 @@ namespace {
 struct BenchParams {
   std::string job;
   int rounds = 10;
+  std::string only;
   std::string gl = "osmesa";
   std::string output;
 };
@@ -37,8 +39,9 @@ ExitCode run_bench(const BenchParams& params) {
   const TemporaryFolder drawn;
   const Job concrete = make_concrete(job, drawn.path(), draw_job_views);
   warn_if_busy();
-  const auto rows = bench_job(concrete, params.gl, params.rounds);
-  std::printf("%s", bench_table(rows).c_str());
+  const auto rows = bench_job(concrete, params.gl, params.rounds, params.only);
+  if (rows.empty()) throw Error("no scene/view/variant is there to time", params.only);
+  std::printf("%s\n%s", bench_table(rows).c_str(), bench_means(rows).c_str());
   const std::string renderer = Renderer(parse_gl(params.gl, "--gl")).description();
   const std::filesystem::path file =
       params.output.empty() ? run_folder(job, "") / "bench.json" : std::filesystem::path(params.output);
@@ -57,6 +60,7 @@ void add_bench_command(CLI::App& app, Action& action) {
   command->add_option("--rounds", params->rounds, "Measured frames of each view and variant")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();
+  command->add_option("--only", params->only, "Only what matches this pattern of scene/view/variant");
   command->add_option("--gl", params->gl, "OpenGL back end")
       ->check(CLI::IsMember({"osmesa", "egl"}))
       ->capture_default_str();
@@ -67,8 +71,9 @@ void add_bench_command(CLI::App& app, Action& action) {
 turns, alone on the machine, after two frames each to warm up; nothing comes from a cache. Path-traced variants are
 left out.
 
-Example:
-  lightbench bench jobs/cornell.json --rounds 20)");
+Examples:
+  lightbench bench jobs/cornell.json --rounds 20
+  lightbench bench jobs/isr.json --only 'cornell/corner/fast*')");
 }
 
 }  // namespace lightbench

@@ -33,6 +33,16 @@ TEST(Bench, TheTableHasALineForEachPass) {
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 3);
 }
 
+TEST(Bench, MeansAreOverViewsAndInTimesOfTheFirst) {
+  const std::vector<BenchRow> rows = {{"s", "v", "direct", {{"all passes", 0.5, 0, 0}, {"direct", 9, 9, 9}}},
+                                      {"s", "v", "isr", {{"all passes", 1, 0, 0}}},
+                                      {"s", "w", "direct", {{"all passes", 1.5, 0, 0}}},
+                                      {"s", "w", "isr", {{"all passes", 2, 0, 0}}}};
+  const std::string means = bench_means(rows);
+  EXPECT_THAT(means, ::testing::ContainsRegex("direct +2 +1000.00 +1.00\n"));
+  EXPECT_THAT(means, ::testing::ContainsRegex("isr +2 +1500.00 +1.50\n"));
+}
+
 TEST(Bench, TheJsonKeepsSeconds) {
   Job job;
   job.name = "j";

@@ -20,15 +20,19 @@ RunReport three_frames() {
   run.height = 24;
   run.metric_names = {"mean_error", "flicker"};
   run.primary_reference = "truth";
-  run.variants = {{.name = "isr", .kind = "isr"}};
-  run.references = {{.name = "truth", .kind = "povray"}};
+  run.variants.resize(1);
+  run.variants[0].name = "isr";
+  run.references.resize(1);
+  run.references[0].name = "truth";
   run.sequences = {{"box", "walk", {{"walk.000", 1}, {"walk.001", 1.5}, {"walk.002", 2}}}};
   for (int i = 0; i < 3; ++i) {
     const std::string view = "walk.00" + std::to_string(i);
-    ReportImage image{.scene = "box", .view = view, .source = "isr"};
+    ReportImage image;
+    image.scene = "box", image.view = view, image.source = "isr";
     image.png = view + ".png";
     run.images.push_back(image);
-    ReportScore score{.scene = "box", .view = view, .variant = "isr", .reference = "truth"};
+    ReportScore score;
+    score.scene = "box", score.view = view, score.variant = "isr", score.reference = "truth";
     score.metrics["mean_error"] = MetricValue::of(4 + i);
     score.metrics["flicker"] =
         i == 0 ? MetricValue::undefined("no frame before") : MetricValue::of(2 * i - 1);
