@@ -86,6 +86,8 @@ class Picture {
         options_(options),
         half_samples_((options.samples + 1) / 2),
         image_(width, height, 4) {
+    if (!options.background) scene_.sky = glm::vec3(0);
+    if (options.limits) indirect_ = Image(width, height, 3), unknown_ = Image(width, height, 1);
     const int side = std::max(1, std::min(kTileSide, kTileRays / supersampling));
     for (int y = 0; y < height; y += side)
       for (int x = 0; x < width; x += side)
@@ -98,8 +100,9 @@ class Picture {
  private:
   void work(RayTallies& tallies);
   void trace_tile(TileTracer& tracer, std::size_t index);
-  HalfPixels pixel(const TileTracer& tracer, const PixelTile& tile, int x, int y, int samples) const;
-  double error_sum(const TileTracer& tracer, const PixelTile& tile, int samples) const;
+  HalfPixels pixel(const TileTracer& tracer, const PixelTile& tile, int x, int y) const;
+  double error_sum(const TileTracer& tracer, const PixelTile& tile) const;
+  void keep_indirect(const TileTracer& tracer, const PixelTile& tile, int x, int y);
 
   PathScene scene_;
   glm::vec3 background_;
@@ -107,32 +110,44 @@ class Picture {
   int factor_;
   PathTracerOptions options_;
   int half_samples_;
-  Image image_;
+  Image image_, indirect_, unknown_;
   std::vector<PixelTile> tiles_;
   std::vector<double> errors_;  ///< sums over the pixels of each tile
   std::atomic<std::size_t> next_tile_ = 0;
 };
 
-HalfPixels Picture::pixel(const TileTracer& tracer, const PixelTile& tile, int x, int y, int samples) const {
+HalfPixels Picture::pixel(const TileTracer& tracer, const PixelTile& tile, int x, int y) const {
   HalfPixels result{};
   for (int j = y * factor_; j < (y + 1) * factor_; ++j)
     for (int i = x * factor_; i < (x + 1) * factor_; ++i) {
       const int ray = j * tile.width * factor_ + i;
       result.alpha += tracer.covered(ray) ? 1.0f : 0.0f;
       for (int half = 0; half < 2; ++half)
-        result.half[half] += tracer.covered(ray)
-                                 ? tracer.direct(ray) + tracer.indirect(ray, half) / float(samples)
-                                 : background_;
+        result.half[half] +=
+            tracer.covered(ray) ? tracer.direct(ray) + tracer.indirect(ray, half) : background_;
     }
   const float share = 1.0f / float(factor_ * factor_);
   return {{result.half[0] * share, result.half[1] * share}, result.alpha * share};
 }
 
-double Picture::error_sum(const TileTracer& tracer, const PixelTile& tile, int samples) const {
+double Picture::error_sum(const TileTracer& tracer, const PixelTile& tile) const {
   double sum = 0;
   for (int y = 0; y < tile.height; ++y)
-    for (int x = 0; x < tile.width; ++x) sum += double(pixel(tracer, tile, x, y, samples).error());
+    for (int x = 0; x < tile.width; ++x) sum += double(pixel(tracer, tile, x, y).error());
   return sum;
+}
+
+void Picture::keep_indirect(const TileTracer& tracer, const PixelTile& tile, int x, int y) {
+  const float share = 1.0f / float(factor_ * factor_);
+  const auto indirect = indirect_.pixel(tile.x + x, tile.y + y);
+  const auto unknown = unknown_.pixel(tile.x + x, tile.y + y);
+  for (int j = y * factor_; j < (y + 1) * factor_; ++j)
+    for (int i = x * factor_; i < (x + 1) * factor_; ++i) {
+      const int ray = j * tile.width * factor_ + i;
+      const glm::vec3 light = 0.5f * share * (tracer.indirect(ray, 0) + tracer.indirect(ray, 1));
+      for (int c = 0; c < 3; ++c) indirect[std::size_t(c)] += light[c];
+      unknown[0] += share * tracer.unknown(ray);
+    }
 }
 
 void Picture::trace_tile(TileTracer& tracer, std::size_t index) {
@@ -145,19 +160,20 @@ void Picture::trace_tile(TileTracer& tracer, std::size_t index) {
     const int target = adaptive ? std::min(more, half_samples_) : half_samples_;
     tracer.add_samples(samples, target);
     samples = target;
-    errors_[index] = error_sum(tracer, tile, samples);
+    errors_[index] = error_sum(tracer, tile);
   } while (samples < half_samples_ && errors_[index] > options_.noise * tile.width * tile.height);
   for (int y = 0; y < tile.height; ++y)
     for (int x = 0; x < tile.width; ++x) {
-      const HalfPixels halves = pixel(tracer, tile, x, y, samples);
+      const HalfPixels halves = pixel(tracer, tile, x, y);
       const glm::vec3 color = 0.5f * (halves.half[0] + halves.half[1]);
       const auto target = image_.pixel(tile.x + x, tile.y + y);
       target[0] = color.x, target[1] = color.y, target[2] = color.z, target[3] = halves.alpha;
+      if (options_.limits) keep_indirect(tracer, tile, x, y);
     }
 }
 
 void Picture::work(RayTallies& tallies) {
-  TileTracer tracer(scene_, camera_, options_.bounces, options_.seed);
+  TileTracer tracer(scene_, camera_, options_.bounces, options_.seed, options_.limits);
   for (std::size_t tile = next_tile_++; tile < tiles_.size(); tile = next_tile_++) trace_tile(tracer, tile);
   tallies = tracer.tallies();
 }
@@ -174,14 +190,15 @@ PathTracedImage Picture::trace() {
     sum.primary += part.primary;
     sum.shadow += part.shadow;
     sum.diffuse += part.diffuse;
+    sum.sight += part.sight;
   }
   const double errors = std::accumulate(errors_.begin(), errors_.end(), 0.0);
   const double noise = errors / double(image_.pixel_count());
-  return {std::move(image_),
-          noise,
-          {{"primary", sum.primary.rays, sum.primary.seconds},
-           {"shadow", sum.shadow.rays, sum.shadow.seconds},
-           {"diffuse", sum.diffuse.rays, sum.diffuse.seconds}}};
+  std::vector<RayRate> rays{{"primary", sum.primary.rays, sum.primary.seconds},
+                            {"shadow", sum.shadow.rays, sum.shadow.seconds},
+                            {"diffuse", sum.diffuse.rays, sum.diffuse.seconds}};
+  if (options_.limits) rays.push_back({"sight", sum.sight.rays, sum.sight.seconds});
+  return {std::move(image_), noise, std::move(rays), std::move(indirect_), std::move(unknown_)};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,17 +16,29 @@ inline constexpr int kPathTracerVersion = 1;
 /// "path tracer 1, Embree 3.13.5".
 std::string path_tracer_version();
 
+/// Limits of what light is gathered from: the surfaces that pictures from the camera's place hold, as in
+/// screen-space methods (renderer/surround.h), lit on both sides.
+struct SightLimits {
+  float wide_factor = 1;      ///< a picture along the view is so many times as wide as the frame
+  bool all_around = false;    ///< there are pictures of all other directions too
+  int layers = 1;             ///< surfaces kept along a ray from the camera, nearest first
+  bool front_faces = true;    ///< behind the first keep only those whose shading normal faces the camera
+  bool fill_unknown = false;  ///< what comes from elsewhere: the mean of what is known, or nothing
+};
+
 struct PathTracerOptions {
   int bounces = 2;         ///< of indirect light, 0 to 16
   int samples = 256;       ///< paths of each primary ray, 2 to 65536; rounded up to an even number
   double noise = 0;        ///< estimated error, of 255, at which a tile is done with fewer; 0: never
   std::uint64_t seed = 1;  ///< of all random choices
   int threads = 1;         ///< 1 to 256; the image does not depend on it
+  bool background = true;  ///< whether paths gather the background, where it lights
+  std::optional<SightLimits> limits;  ///< empty: light comes from everywhere
 };
 
 /// How fast a class of rays was traced, without the shading.
 struct RayRate {
-  std::string name;  ///< primary, shadow, diffuse
+  std::string name;  ///< primary, shadow, diffuse; with limits, sight: from the camera to what paths met
   std::uint64_t rays;
   double seconds;  ///< summed over threads
 };
@@ -37,6 +50,9 @@ struct PathTracedImage {
   /// each.
   double noise;
   std::vector<RayRate> rays;
+  /// With limits only: linear RGB, what is added to the direct light; and one channel, the share of a pixel's
+  /// paths whose first ray went to what no picture holds. Both are 0 on the background.
+  Image indirect, unknown;
 };
 
 /// The lighting model of technique `direct`, with light that arrives over any number of diffuse bounces:

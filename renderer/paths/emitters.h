@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
@@ -11,7 +12,8 @@ namespace lightbench {
 /// A point on an emitting triangle.
 struct EmitterPoint {
   glm::vec3 position;
-  glm::vec3 normal;  ///< geometric, unit, on either side: both emit
+  glm::vec3 normal;           ///< geometric, unit, on either side: both emit
+  glm::vec3 modelled_normal;  ///< of shading, of any length, to whichever side it points
   glm::vec3 emission;
 };
 
@@ -34,6 +36,7 @@ class Emitters {
  private:
   struct Triangle {
     glm::vec3 corner, edge_u, edge_v, normal;
+    glm::mat3 modelled_normals;  ///< of the corners
     const Mesh* mesh;
     glm::uvec3 vertices;
     const Material* material;

@@ -34,6 +34,9 @@ class PathCamera {
   /// The unit direction of the ray through a pixel, row 0 on top.
   glm::vec3 direction(int x, int y) const;
   const glm::vec3& position() const { return position_; }
+  const CameraFrame& frame() const { return frame_; }
+  /// Tangents of half the field of view.
+  glm::vec2 tan_half() const { return {tan_half_x_, tan_half_y_}; }
 
  private:
   glm::vec3 position_;

@@ -25,14 +25,14 @@ class Stopwatch {
   Clock::time_point start_;
 };
 
-void set_packet(RTCRay8& packet, const Rays8& rays, Float8 far) {
+void set_packet(RTCRay8& packet, const Rays8& rays, Float8 near, Float8 far) {
   store8(packet.org_x, rays.origin.x);
   store8(packet.org_y, rays.origin.y);
   store8(packet.org_z, rays.origin.z);
   store8(packet.dir_x, rays.direction.x);
   store8(packet.dir_y, rays.direction.y);
   store8(packet.dir_z, rays.direction.z);
-  store8(packet.tnear, Float8{});
+  store8(packet.tnear, near);
   store8(packet.tfar, far);
 }
 
@@ -47,12 +47,32 @@ void prepare(RTCRay8& packet) {
   }
 }
 
+void forget_hits(RTCHit8& hits) {
+  std::fill(std::begin(hits.geomID), std::end(hits.geomID), RTC_INVALID_GEOMETRY_ID);
+  std::fill(std::begin(hits.instID[0]), std::end(hits.instID[0]), RTC_INVALID_GEOMETRY_ID);
+}
+
 /// The lanes of a packet of which `count` rays are left.
 void set_valid(int (&valid)[kLanes], int count) {
   for (int i = 0; i < kLanes; ++i) valid[i] = i < count ? -1 : 0;
 }
 
 }  // namespace
+
+RTCRayHit8 closest_hits(RTCScene scene, const Rays8& rays, Float8 near, Float8 far, Int8 mask,
+                        RayTally& tally) {
+  const Stopwatch watch(tally, __builtin_popcount(bits_of(mask)));
+  RTCRayHit8 packet;
+  prepare(packet.ray);
+  set_packet(packet.ray, rays, near, far);
+  forget_hits(packet.hit);
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  alignas(32) int valid[kLanes];
+  for (int i = 0; i < kLanes; ++i) valid[i] = mask[i];
+  rtcIntersect8(valid, scene, &context, &packet);
+  return packet;
+}
 
 void HitQueue::resize(int count) {
   size_ = count;
@@ -63,9 +83,8 @@ void HitQueue::resize(int count) {
 
 void HitQueue::set(int index, const Rays8& rays) {
   RTCRayHit8& packet = packets_[std::size_t(index)];
-  set_packet(packet.ray, rays, splat(std::numeric_limits<float>::infinity()));
-  std::fill(std::begin(packet.hit.geomID), std::end(packet.hit.geomID), RTC_INVALID_GEOMETRY_ID);
-  std::fill(std::begin(packet.hit.instID[0]), std::end(packet.hit.instID[0]), RTC_INVALID_GEOMETRY_ID);
+  set_packet(packet.ray, rays, Float8{}, splat(std::numeric_limits<float>::infinity()));
+  forget_hits(packet.hit);
 }
 
 void HitQueue::trace(RTCScene scene, RayTally& tally) {
@@ -100,7 +119,7 @@ void ShadowQueue::flush() {
   for (int i = 0; i < packets; ++i) {
     const Fields8 fields =
         load_half<&Row::low>(rows_.data() + std::ptrdiff_t{kLanes} * i, [](int lane) { return lane; });
-    set_packet(packets_[std::size_t(i)], {vec_of(fields, 0), vec_of(fields, 3)}, fields.v[6]);
+    set_packet(packets_[std::size_t(i)], {vec_of(fields, 0), vec_of(fields, 3)}, Float8{}, fields.v[6]);
   }
   trace(packets);
   for (int i = 0; i < size_; ++i)

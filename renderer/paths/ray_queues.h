@@ -33,6 +33,10 @@ inline Int8 hit_lanes(const RTCRayHit8& packet) {
   return load8(packet.hit.geomID) != RTC_INVALID_GEOMETRY_ID;
 }
 
+/// The closest hits of the rays in the lanes of the mask, between `near` and `far` times their directions.
+RTCRayHit8 closest_hits(RTCScene scene, const Rays8& rays, Float8 near, Float8 far, Int8 mask,
+                        RayTally& tally);
+
 /// Rays to closest hits, in packets of eight.
 class HitQueue {
  public:

@@ -90,20 +90,29 @@ glm::vec3 SurfaceTable::texel(const Image8& texture, glm::vec2 uv) const {
   return (1 - y.share) * above + y.share * below;
 }
 
-SurfacePoint SurfaceTable::point(unsigned instance, unsigned geometry, unsigned primitive, float u, float v,
-                                 const glm::vec3& face) const {
+SurfaceTable::Found SurfaceTable::find(unsigned instance, unsigned geometry, unsigned primitive) const {
   const bool instanced = instance != RTC_INVALID_GEOMETRY_ID;
   const Place& place = places_[instanced ? instance : geometry];
   const std::size_t set = place.first_set + (instanced ? geometry : 0);
-  const Triangle& triangle = triangles_[first_triangle_[set] + primitive];
+  return {place, set, triangles_[first_triangle_[set] + primitive]};
+}
+
+glm::vec3 SurfaceTable::normal(unsigned instance, unsigned geometry, unsigned primitive, float u,
+                               float v) const {
+  const Found found = find(instance, geometry, primitive);
+  const auto& normals = found.triangle.normals;
+  return found.in_world(interpolate(normals[0], normals[1], normals[2], u, v));
+}
+
+SurfacePoint SurfaceTable::point(unsigned instance, unsigned geometry, unsigned primitive, float u, float v,
+                                 const glm::vec3& face) const {
+  const Found found = find(instance, geometry, primitive);
+  const auto& [place, set, triangle] = found;
   SurfacePoint point;
   point.material = &materials_[std::size_t(triangle.material)];
-  point.normal = interpolate(triangle.normals[0], triangle.normals[1], triangle.normals[2], u, v);
-  point.face = face;
-  if (instanced) {
-    point.normal = place.normal_matrix * point.normal;
-    point.face = place.normal_matrix * point.face;
-  }
+  point.normal =
+      found.in_world(interpolate(triangle.normals[0], triangle.normals[1], triangle.normals[2], u, v));
+  point.face = found.in_world(face);
   point.albedo = point.material->diffuse;
   if (point.material->texture)
     point.albedo *=
@@ -143,6 +152,7 @@ Surfaces8 SurfaceTable::shade(const RTCRayHit8& rays, Int8 mask) const {
   });
   const Vec8 origin = load_vec8(rays.ray.org_x, rays.ray.org_y, rays.ray.org_z);
   const Vec8 direction = load_vec8(rays.ray.dir_x, rays.ray.dir_y, rays.ray.dir_z);
+  result.modelled_normal = normal;
   face = towards_origin(face, direction, -direction);
   result.normal = towards_origin(normal, direction, face);
   result.facing = -dot(face, direction);

@@ -24,10 +24,11 @@ struct PathMaterial {
 /// What a ray met, eight at a time; lanes that met nothing hold nothing of use.
 struct Surfaces8 {
   Vec8 position;
-  Vec8 normal;    ///< of shading, unit, towards the ray's origin
-  Vec8 offset;    ///< along the geometric normal, towards the ray's origin: as far as rounding may have moved
-                  ///< the position off the surface
-  Float8 facing;  ///< cosine between the ray and the geometric normal, > 0
+  Vec8 normal;  ///< of shading, unit, towards the ray's origin
+  Vec8 offset;  ///< along the geometric normal, towards the ray's origin: as far as rounding may have moved
+                ///< the position off the surface
+  Vec8 modelled_normal;  ///< of shading, of any length, to whichever side it points
+  Float8 facing;         ///< cosine between the ray and the geometric normal, > 0
   Vec8 albedo;
   Vec8 emission;
   Float8 specular;
@@ -50,6 +51,8 @@ class SurfaceTable {
 
   SurfacePoint point(unsigned instance, unsigned geometry, unsigned primitive, float u, float v,
                      const glm::vec3& face) const;
+  /// The same point's normal alone.
+  glm::vec3 normal(unsigned instance, unsigned geometry, unsigned primitive, float u, float v) const;
   /// The surfaces that a packet of rays hit, in the lanes of the mask.
   Surfaces8 shade(const RTCRayHit8& rays, Int8 mask) const;
 
@@ -67,6 +70,16 @@ class SurfaceTable {
     bool instanced;         ///< and so its normals are still in its own space
     glm::mat3 normal_matrix;
   };
+  /// What a hit's numbers stand for.
+  struct Found {
+    const Place& place;
+    std::size_t set;
+    const Triangle& triangle;
+    glm::vec3 in_world(const glm::vec3& normal) const {
+      return place.instanced ? place.normal_matrix * normal : normal;
+    }
+  };
+  Found find(unsigned instance, unsigned geometry, unsigned primitive) const;
   void add_set(const TriangleSet& set, const glm::mat3& normal_matrix);
   glm::vec3 texel(const Image8& texture, glm::vec2 uv) const;
 

@@ -14,7 +14,9 @@
 namespace lightbench {
 namespace {
 
-constexpr int kWave = 2048;  // paths; their state fits the second-level cache
+constexpr int kWave = 2048;      // paths; their state fits the second-level cache
+constexpr int kTries = 16;       // of a ray, until it goes to what is known
+constexpr int kDrawsOfTry = 32;  // more than there are bounces
 
 /// In the upper half of a row of vertices and of flights.
 enum { kSeedField = 4, kIndexField, kSlotField };
@@ -63,23 +65,39 @@ void TileTracer::Vertices8::append_to(std::vector<Row>& rows, int& size, Int8 ma
   append(rows, size, low, high, mask);
 }
 
-TileTracer::TileTracer(const PathScene& scene, const PathCamera& camera, int bounces, std::uint64_t seed)
+TileTracer::TileTracer(const PathScene& scene, const PathCamera& camera, int bounces, std::uint64_t seed,
+                       const std::optional<SightLimits>& limits)
     : scene_(scene),
       camera_(camera),
       bounces_(bounces),
       seed_(picture_seed(seed)),
+      fill_unknown_(limits && limits->fill_unknown),
       vertices_(kWave),
+      next_(kWave),
       flights_(kWave),
       keys_(kWave),
       order_(kWave),
       lights_(scene),
       direct_shadows_(scene.embree.top(), direct_),
-      indirect_shadows_(scene.embree.top(), indirect_) {}
+      indirect_shadows_(scene.embree.top(), indirect_) {
+  if (limits) sight_.emplace(scene, camera, *limits);
+}
+
+glm::vec3 TileTracer::indirect(int ray, int half) const {
+  const std::size_t slot = 2 * std::size_t(ray) + std::size_t(half);
+  const int samples = fill_unknown_ ? samples_ - unknown_[slot] : samples_;
+  return samples > 0 ? indirect_[slot] / float(samples) : glm::vec3(0);
+}
+
+float TileTracer::unknown(int ray) const {
+  const std::size_t slot = 2 * std::size_t(ray);
+  return samples_ > 0 ? float(unknown_[slot] + unknown_[slot + 1]) / float(2 * samples_) : 0;
+}
 
 RayTallies TileTracer::tallies() const {
   RayTally shadow = direct_shadows_.tally();
   shadow += indirect_shadows_.tally();
-  return {primary_, shadow, diffuse_};
+  return {primary_, shadow, diffuse_, sight_tally_};
 }
 
 void TileTracer::start(const RayTile& tile) {
@@ -88,6 +106,8 @@ void TileTracer::start(const RayTile& tile) {
   covered_.assign(std::size_t(rays), 0);
   direct_.assign(std::size_t(rays), glm::vec3(0));
   indirect_.assign(2 * std::size_t(rays), glm::vec3(0));
+  unknown_.assign(2 * std::size_t(rays), 0);
+  samples_ = 0;
   points_.resize(std::size_t(rays) + kLanes);
   point_count_ = 0;
   hits_.resize(rays);
@@ -132,6 +152,7 @@ void TileTracer::add_samples(int first, int end) {
     trace_wave(count);
   }
   indirect_shadows_.flush();
+  samples_ = end;
 }
 
 /// Paths are numbered point by point, so that those of a wave start close together.
@@ -152,25 +173,33 @@ void TileTracer::begin_wave(std::int64_t first_path, int count, int first_sample
 
 void TileTracer::trace_wave(int count) {
   for (int bounce = 1; bounce <= bounces_ && count > 0; ++bounce) {
-    scatter(count, bounce);
-    sort_flights(count);
-    queue_rays(count);
-    hits_.trace(scene_.embree.top(), diffuse_);
-    count = gather(bounce);
+    int kept = 0;
+    for (int attempt = 0; attempt < kTries && count > 0; ++attempt) {
+      scatter(count, bounce + kDrawsOfTry * attempt);
+      sort_flights(count);
+      queue_rays(count);
+      hits_.trace(scene_.embree.top(), diffuse_);
+      kept = gather(bounce, kept);
+      count = take_back_unknown();
+    }
+    std::swap(vertices_, next_);
+    count = kept;
   }
 }
 
 /// Next-event estimation. Its weight is the balance heuristic's (Veach 1997, section 9.2): emission * density
-/// of the cosine over the sum of both densities, the other half of which add_emission has.
-void TileTracer::sample_emitters(const Vertices8& from, Int8 mask, int bounce) {
-  const SobolPair<UInt8> pick = draw(from.index, from.seed, bounce, Draw::emitter_pick);
-  const SobolPair<UInt8> place = draw(from.index, from.seed, bounce, Draw::emitter_place);
-  Vec8 position{}, normal{}, emission{};
+/// of the cosine over the sum of both densities, the other half of which add_emission has. A ray that is
+/// drawn anew has emitters asked anew: as often, on average, as one over the share of what is known.
+void TileTracer::sample_emitters(const Vertices8& from, Int8 mask, int draws) {
+  const SobolPair<UInt8> pick = draw(from.index, from.seed, draws, Draw::emitter_pick);
+  const SobolPair<UInt8> place = draw(from.index, from.seed, draws, Draw::emitter_place);
+  Vec8 position{}, normal{}, modelled_normal{}, emission{};
   for_lanes(mask, [&](int i) {
     const EmitterPoint point =
         scene_.emitters.sample(unit_float(pick.x[i]), unit_float(place.x[i]), unit_float(place.y[i]));
     position.set_lane(i, point.position);
     normal.set_lane(i, point.normal);
+    modelled_normal.set_lane(i, point.modelled_normal);
     emission.set_lane(i, point.emission);
   });
   const Vec8 way = position - from.position;
@@ -180,15 +209,16 @@ void TileTracer::sample_emitters(const Vertices8& from, Int8 mask, int bounce) {
   const Float8 density_of_cosine = cosine / (length * std::numbers::pi_v<float>);
   const Vec8 light = from.throughput * emission * (density_of_cosine / (density_of_cosine + density));
   const Vec8 origin = leave(from.position, from.offset, way);
-  indirect_shadows_.add(mask & (cosine > 0) & (cosine_there > 0) & (largest(light) > 0),
-                        {origin, position - origin}, splat(kShadowEnd), light, from.slot);
+  Int8 asked = mask & (cosine > 0) & (cosine_there > 0) & (largest(light) > 0);
+  if (sight_) asked = sight_->holds(position, modelled_normal, asked, sight_tally_);
+  indirect_shadows_.add(asked, {origin, position - origin}, splat(kShadowEnd), light, from.slot);
 }
 
-void TileTracer::scatter(int count, int bounce) {
+void TileTracer::scatter(int count, int draws) {
   for (int block = 0; kLanes * block < count; ++block) {
     const Vertices8 from = Vertices8::load(vertices_.data() + std::ptrdiff_t{kLanes} * block);
-    if (!scene_.emitters.empty()) sample_emitters(from, first_lanes(count - kLanes * block), bounce);
-    const SobolPair<UInt8> point = draw(from.index, from.seed, bounce, Draw::direction);
+    if (!scene_.emitters.empty()) sample_emitters(from, first_lanes(count - kLanes * block), draws);
+    const SobolPair<UInt8> point = draw(from.index, from.seed, draws, Draw::direction);
     const CosineDirection8 direction =
         cosine_direction(unit_float(point.x), unit_float(point.y), from.normal);
     Fields8 ray{}, rest{};
@@ -235,18 +265,49 @@ TileTracer::Flights8 TileTracer::flights(int packet) const {
           as_numbers(rest.v[kSlotField])};
 }
 
-int TileTracer::gather(int bounce) {
-  int kept = 0;
+/// Which flights went to what the pictures hold.
+Int8 TileTracer::known_lanes(const RTCRayHit8& rays, const Surfaces8& surfaces, Int8 valid, Int8 hit) {
+  const Vec8 direction = load_vec8(rays.ray.dir_x, rays.ray.dir_y, rays.ray.dir_z);
+  return (valid & ~hit & sight_->spans(direction)) |
+         sight_->holds(surfaces.position, surfaces.modelled_normal, hit, sight_tally_);
+}
+
+/// The first rays are counted, so that their mean can leave the unknown ones out; later ones have no mean of
+/// their own, and are drawn until one is known, which comes to the same.
+void TileTracer::note_unknown(Int8 unknown, const Flights8& flights, int packet, int bounce) {
+  for_lanes(unknown, [&](int i) {
+    if (bounce == 1)
+      ++unknown_[flights.slot[i]];
+    else if (fill_unknown_)
+      astray_.push_back(order_[std::size_t(kLanes * packet + i)]);
+  });
+}
+
+/// Leaves as the wave's vertices those from which rays are to be drawn anew.
+int TileTracer::take_back_unknown() {
+  std::ranges::sort(astray_);  // so that none is overwritten before its turn
+  for (std::size_t i = 0; i < astray_.size(); ++i) vertices_[i] = vertices_[astray_[i]];
+  const int count = int(astray_.size());
+  astray_.clear();
+  return count;
+}
+
+/// Returns how many of the next vertices there are, with those before.
+int TileTracer::gather(int bounce, int kept) {
   for (int packet = 0; packet < hits_.packets(); ++packet) {
     const RTCRayHit8& rays = hits_.packet(packet);
     const Int8 valid = first_lanes(hits_.size() - kLanes * packet);
-    const Int8 mask = valid & hit_lanes(rays);
+    const Int8 hit = valid & hit_lanes(rays);
     const Flights8 paths = flights(packet);
+    Surfaces8 s{};
+    if (any(hit)) s = scene_.surfaces.shade(rays, hit);
+    const Int8 known = sight_ ? known_lanes(rays, s, valid, hit) : valid;
+    note_unknown(valid & ~known, paths, packet, bounce);
     if (!is_black(scene_.sky))
-      for_lanes(valid & ~mask,
+      for_lanes(known & ~hit,
                 [&](int i) { indirect_[paths.slot[i]] += paths.throughput.lane(i) * scene_.sky; });
+    const Int8 mask = known & hit;
     if (!any(mask)) continue;
-    Surfaces8 s = scene_.surfaces.shade(rays, mask);
     s.specular =
         Float8{};  // POV-Ray's radiosity sees no highlights (measured: a mirror of Phong's lights nothing)
     if (any(largest(s.emission) > 0)) add_emission(s, mask, paths, packet);
@@ -257,7 +318,7 @@ int TileTracer::gather(int bounce) {
     if (bounce == bounces_) continue;
     const Vertices8 next{s.position, s.normal,    s.offset,  paths.throughput * s.albedo * s.reflectance,
                          paths.seed, paths.index, paths.slot};
-    next.append_to(vertices_, kept, mask & (largest(next.throughput) > 0));
+    next.append_to(next_, kept, mask & (largest(next.throughput) > 0));
   }
   return kept;
 }
