@@ -59,7 +59,8 @@ class Gatherer {
                                   .params = params_as_text(params),
                                   .bounces = technique_bounces(technique, params),
                                   .offline = technique.offline,
-                                  .tool = technique.needs_gl ? facts_.renderer : ""});
+                                  .tool = technique.needs_gl ? facts_.renderer : "",
+                                  .limited = technique.limited});
     }
     for (const auto& reference : plan_.job.references) {
       const ParamValues params = reference_params(reference);

@@ -35,7 +35,7 @@ struct GpuState {
 
 /// What a technique draws one frame with. Sizes are those drawn: the request's times its samples; `Renderer`
 /// averages the image and the buffers down. Without OpenGL (Technique::needs_gl is false) only request(),
-/// warn(), add_pass_time() and set_image(Image) may be called.
+/// warn(), add_pass_time(), wants(), and set_image and keep_buffer of an Image may be called.
 class FrameContext {
  public:
   FrameContext(const FrameRequest& request, GpuState* gpu, const GpuScene* scene);
@@ -68,7 +68,7 @@ class FrameContext {
   /// Keeps the first `channels` components under a name of the technique's table, if it is wanted. A texture
   /// that is smaller than the frame by a whole factor is enlarged by repeating texels.
   void keep_buffer(const std::string& name, const GlTexture& texture, int channels);
-  void keep_buffer(const std::string& name, const Image& image);  ///< row 0 on top, drawn size
+  void keep_buffer(const std::string& name, const Image& image);  ///< row 0 on top
 
   void set_image(const GlTexture& image);  ///< RGBA, linear; alpha is coverage
   void set_image(Image image);             ///< RGBA; of the drawn size or the request's own

@@ -55,6 +55,7 @@ struct Technique {
   int (*bounces)(const ParamValues& params) = nullptr;
   bool needs_gl = true;
   bool offline = false;  ///< traces paths: no technique for real time, but what these could reach
+  bool limited = false;  ///< offline, and leaves out more light than that of further bounces: no ceiling
   /// Why it cannot render this scene with these parameters; empty when it can.
   std::vector<std::string> (*unsupported)(const Scene& scene, const ParamValues& params) = nullptr;
   void (*render)(FrameContext& frame, const ParamValues& params) = nullptr;

@@ -9,13 +9,15 @@
 #include "renderer/techniques/direct.h"
 #include "renderer/techniques/images.h"
 #include "renderer/techniques/isr.h"
+#include "renderer/techniques/isr_oracle.h"
 #include "renderer/techniques/path_tracer.h"
 
 namespace lightbench {
 
 std::span<const Technique> techniques() {
   static const std::array table{
-      direct_technique(), isr_technique(), ambient_technique(), path_tracer_technique(), images_technique(),
+      direct_technique(),  isr_technique(),         isr_oracle_technique(),
+      ambient_technique(), path_tracer_technique(), images_technique(),
   };
   return table;
 }

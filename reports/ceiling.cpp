@@ -10,7 +10,7 @@ const ReportImageSource* ceiling_variant(const RunReport& report, const std::str
   const auto of_name = std::ranges::find(report.references, reference, &ReportImageSource::name);
   if (of_name == report.references.end()) return nullptr;
   const auto found = std::ranges::find_if(report.variants, [&](const ReportImageSource& variant) {
-    return variant.offline && variant.bounces == of_name->bounces;
+    return variant.offline && !variant.limited && variant.bounces == of_name->bounces;
   });
   return found == report.variants.end() ? nullptr : &*found;
 }

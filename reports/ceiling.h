@@ -9,8 +9,8 @@
 /// both.
 namespace lightbench {
 
-/// The variant that gives the ceiling against a reference: the first offline one with as many bounces; null
-/// if the run has none.
+/// The variant that gives the ceiling against a reference: the first offline one without limits
+/// with as many bounces; null if the run has none.
 const ReportImageSource* ceiling_variant(const RunReport& report, const std::string& reference);
 
 /// The ceiling on the view of a score, against its reference.

@@ -55,6 +55,7 @@ struct ReportImageSource {
   int bounces = 0;
   bool offline = false;  ///< a variant that traces paths: with a reference's bounces it is that one's ceiling
   std::string tool;      ///< renderer string, or POV-Ray's version
+  bool limited = false;  ///< an offline variant that leaves out light on purpose: no ceiling
 };
 
 /// The snapshot of a variant, or a reference image, of one view.

@@ -61,6 +61,7 @@ void visit(Archive& archive, T& source) requires std::is_same_v<std::remove_cons
   archive.optional("params", source.params);
   archive.required("bounces", source.bounces);
   archive.optional("offline", source.offline);
+  archive.optional("limited", source.limited);
   archive.optional("tool", source.tool);
 }
 

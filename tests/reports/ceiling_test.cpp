@@ -38,6 +38,12 @@ TEST(Ceiling, NeedsTheBouncesOfTheReference) {
   EXPECT_THAT(ceiling_of(run, run.scores[0]).undefined_because, HasSubstr("bounces"));
 }
 
+TEST(Ceiling, IsNotThatOfAVariantWithLimits) {
+  RunReport run = run_with_path(2);
+  run.variants[1].limited = true;
+  EXPECT_EQ(ceiling_variant(run, "povray"), nullptr);
+}
+
 TEST(Ceiling, StandsBesideAGainButNotBesideItself) {
   EXPECT_EQ(gain_text(MetricValue::of(40), MetricValue::of(90)), "40.00 / 90.00");
   EXPECT_EQ(gain_text(MetricValue::of(90), MetricValue::of(90)), "90.00");
