@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "reports/aligned_table.h"
 #include "reports/ceiling.h"
 #include "reports/escape.h"
 #include "reports/reference_facts.h"
@@ -11,37 +12,7 @@
 namespace lightbench {
 namespace {
 
-constexpr std::size_t kNameWidth = 40;
 constexpr std::size_t kListed = 10;
-
-using Table = std::vector<std::vector<std::string>>;
-
-std::string name_cell(const std::string& text) {
-  return shortened(plain_line(text), kNameWidth);
-}
-
-std::string spaces(std::size_t count) {
-  return std::string(count, ' ');
-}
-
-/// The first two columns are names and stand on the left, numbers on the right.
-std::string aligned(const Table& table) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : table) {
-    widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], display_width(row[i]));
-  }
-  std::string text;
-  for (const auto& row : table) {
-    std::string line;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string padding = spaces(widths[i] - display_width(row[i]));
-      line += (i == 0 ? "" : "  ") + (i < 2 ? row[i] + padding : padding + row[i]);
-    }
-    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
-}
 
 /// "12" or, where some failed, "10 of 12".
 std::string scored_views(const std::vector<const ReportScore*>& scores) {
@@ -111,7 +82,7 @@ std::string gate_lines(const RunReport& report) {
 
 std::string terminal_summary(const RunReport& report) {
   const std::string leading = leading_metric(report);
-  Table table;
+  TextTable table;
   std::vector<std::string> heading{"variant", "reference", "views"};
   for (const std::string& name : report.metric_names)
     heading.push_back(metric_heading(metric_or_plain(name)));
