@@ -25,6 +25,7 @@ std::shared_ptr<Params> add_command(CLI::App& parent, const char* name, const ch
 }
 
 void add_run_command(CLI::App& app, Action& action);
+void add_oracle_command(CLI::App& app, Action& action);
 void add_plan_command(CLI::App& app, Action& action);
 void add_score_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);

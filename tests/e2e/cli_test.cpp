@@ -44,13 +44,13 @@ TEST_P(CliHelp, OfEveryCommandHasAnExample) {
 
 INSTANTIATE_TEST_SUITE_P(
     Commands, CliHelp,
-    ::testing::Values(std::vector<std::string>{"run"}, std::vector<std::string>{"plan"},
-                      std::vector<std::string>{"score"}, std::vector<std::string>{"report"},
-                      std::vector<std::string>{"bench"}, std::vector<std::string>{"render"},
-                      std::vector<std::string>{"export"}, std::vector<std::string>{"reference"},
-                      std::vector<std::string>{"compare"}, std::vector<std::string>{"cameras"},
-                      std::vector<std::string>{"scene", "check"}, std::vector<std::string>{"list"},
-                      std::vector<std::string>{"schema"}));
+    ::testing::Values(std::vector<std::string>{"run"}, std::vector<std::string>{"oracle"},
+                      std::vector<std::string>{"plan"}, std::vector<std::string>{"score"},
+                      std::vector<std::string>{"report"}, std::vector<std::string>{"bench"},
+                      std::vector<std::string>{"render"}, std::vector<std::string>{"export"},
+                      std::vector<std::string>{"reference"}, std::vector<std::string>{"compare"},
+                      std::vector<std::string>{"cameras"}, std::vector<std::string>{"scene", "check"},
+                      std::vector<std::string>{"list"}, std::vector<std::string>{"schema"}));
 
 TEST_F(Cli, TheVersionNamesTheTools) {
   fake_povray("");

@@ -266,6 +266,29 @@ TEST_F(GlRun, ScoresCanBeMadeFromAnotherFolder) {
   EXPECT_EQ(pictures("lit~truth.heat.png"), 2u);
 }
 
+TEST_F(GlRun, AnOracleIsARunOfItsOwnWithATable) {
+  const std::string variants = R"("variants": [{"name": "direct", "technique": "direct"},
+      {"name": "fast", "technique": "isr", "preset": "fast"}],)";
+  std::string job = read_file(path("job.json"));
+  const auto first = job.find("\"variants\""), end = job.find("\"references\"");
+  write("job.json", job.replace(first, end - first, variants));
+  const auto result = run({"oracle", "job.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("lost by searching"));
+  EXPECT_THAT(result.out, HasSubstr("mean of 2 views"));
+  EXPECT_THAT(read_file(path("out/job-oracle/oracle.md")), HasSubstr("| box/side | fast |"));
+  EXPECT_TRUE(std::filesystem::exists(path("out/job-oracle/views/box/side/fast,%20oracle.png")));
+  const std::string ledger = read_file(path("out/job-oracle/ledger.jsonl"));
+  EXPECT_EQ(run({"run", "out/job-oracle/oracle.json"}).exit_code, 0);
+  EXPECT_EQ(read_file(path("out/job-oracle/ledger.jsonl")), ledger) << "nothing was left to do";
+}
+
+TEST_F(GlRun, AnOracleNeedsAVariantWithVisibility) {
+  const auto result = run({"oracle", "job.json"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("job.json: no variant of technique 'isr' has visibility"));
+}
+
 TEST_F(GlRun, SweepsAndRandomViewsAndBuffers) {
   write("job.json", R"({"size": [32, 24], "scenes": [{"scene": "box.obj", "random": {"count": 2, "seed": 3}}],
       "variants": [{"name": "lit", "technique": "ambient", "params": {"shadows": "none"}, "sweep": {"k": [0.1, 0.5]}}],

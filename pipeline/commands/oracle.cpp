@@ -1,0 +1,58 @@
+#include <cstdio>
+
+#include <CLI/CLI.hpp>
+
+#include "base/files.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/run_options.h"
+#include "pipeline/job_file.h"
+#include "pipeline/oracle_job.h"
+
+namespace lightbench {
+namespace {
+
+struct OracleParams {
+  std::string job;
+  RunFlags flags;
+};
+
+ExitCode run_oracle(const OracleParams& params) {
+  OracleJob oracle = oracle_job(read_job(params.job));
+  const RunOptions options = run_options(params.flags);
+  const std::filesystem::path out = run_folder(oracle.job, options.out);
+  oracle.job.file = out / "oracle.json";  // so that the folder can be scored and run again as it is
+  write_file_atomic(oracle.job.file, job_text(oracle.job));
+  const ExitCode code = run_job(oracle.job, options);
+  const auto run = out / "run.json";
+  const OracleTable table = oracle_table(run_report_from_json(read_file(run), run.string()), oracle.pairs);
+  write_file_atomic(out / "oracle.md", oracle_markdown(table));
+  std::printf("\n%s\n%s\n", oracle_text(table).c_str(), (out / "oracle.md").c_str());
+  return code;
+}
+
+}  // namespace
+
+void add_oracle_command(CLI::App& app, Action& action) {
+  CLI::App* command = nullptr;
+  auto params =
+      add_command<OracleParams>(app, "oracle", "Tell where screen-space variants of a job lose their gain",
+                                action, run_oracle, command);
+  command->add_option("job", params->job, "Job file (jobs/FORMAT.md)")->required();
+  add_run_flags(*command, params->flags);
+  command->footer(
+      R"(Each variant of technique `isr` with visibility (presets fast, best) gets an oracle beside it: the same light, from
+the same pictures (guard band, layers, cameras, bounces), gathered by exact rays instead of a search. With the ceiling,
+a path-traced image, the table then says what is lost by searching, which a better search could win, and what is lost
+since no picture holds the surface, which none could.
+
+It is a run of its own in out/<job name>-oracle: it goes on where it was interrupted, and oracle.md keeps the table.
+Gates of the job are left out. A run of the job itself can be copied there first, so that its pictures count.
+
+Exit codes: 0 done; 2 a task failed, or INT or TERM ended the run; 3 bad input.
+
+Examples:
+  lightbench oracle jobs/isr.json
+  lightbench oracle jobs/isr.json --only 'cornell/*')");
+}
+
+}  // namespace lightbench
