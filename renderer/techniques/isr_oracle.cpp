@@ -19,7 +19,7 @@ std::vector<ParamSpec> oracle_params() {
   for (const char* name : kLimits) rows.push_back(*std::ranges::find(isr, name, &ParamSpec::name));
   rows.push_back({"samples",
                   ParamType::integer,
-                  64LL,
+                  256LL,
                   2,
                   65536,
                   {},

@@ -51,7 +51,7 @@ TEST(OracleJob, AnOracleSeesWhatItsVariantSees) {
   EXPECT_EQ(params.integer("bounces"), 2);
   EXPECT_EQ(params.text("unknown"), "ambient");
   EXPECT_EQ(params.text("cameras"), "none");
-  EXPECT_EQ(params.integer("samples"), 64) << "not the samples of the variant's kernel";
+  EXPECT_EQ(params.integer("samples"), 256) << "not the samples of the variant's kernel";
 }
 
 TEST(OracleJob, VariantsThatSeeTheSameShareAnOracle) {
