@@ -18,9 +18,6 @@ constexpr int kWave = 2048;      // paths; their state fits the second-level cac
 constexpr int kTries = 16;       // of a ray, until it goes to what is known
 constexpr int kDrawsOfTry = 32;  // more than there are bounces
 
-/// In the upper half of a row of vertices and of flights.
-enum { kSeedField = 4, kIndexField, kSlotField };
-
 bool is_black(const glm::vec3& v) {
   return !(v.x > 0 || v.y > 0 || v.z > 0);
 }
@@ -40,30 +37,6 @@ Int8 direction_keys(const Vec8& d) {
 constexpr int kDirectionKeys = 512;
 
 }  // namespace
-
-TileTracer::Vertices8 TileTracer::Vertices8::load(const Row* rows) {
-  const auto lane = [](int i) { return i; };
-  const Fields8 low = load_half<&Row::low>(rows, lane), high = load_half<&Row::high>(rows, lane);
-  return {vec_of(low, 0),
-          vec_of(low, 3),
-          {low.v[6], low.v[7], high.v[0]},
-          vec_of(high, 1),
-          as_numbers(high.v[kSeedField]),
-          as_numbers(high.v[kIndexField]),
-          as_numbers(high.v[kSlotField])};
-}
-
-void TileTracer::Vertices8::append_to(std::vector<Row>& rows, int& size, Int8 mask) const {
-  Fields8 low, high{};
-  set_fields(low, 0, position);
-  set_fields(low, 3, normal);
-  low.v[6] = offset.x, low.v[7] = offset.y, high.v[0] = offset.z;
-  set_fields(high, 1, throughput);
-  high.v[kSeedField] = as_floats(seed);
-  high.v[kIndexField] = as_floats(index);
-  high.v[kSlotField] = as_floats(slot);
-  append(rows, size, low, high, mask);
-}
 
 TileTracer::TileTracer(const PathScene& scene, const PathCamera& camera, int bounces, std::uint64_t seed,
                        const std::optional<SightLimits>& limits)
@@ -276,10 +249,11 @@ Int8 TileTracer::known_lanes(const RTCRayHit8& rays, const Surfaces8& surfaces, 
 /// their own, and are drawn until one is known, which comes to the same.
 void TileTracer::note_unknown(Int8 unknown, const Flights8& flights, int packet, int bounce) {
   for_lanes(unknown, [&](int i) {
+    const int ray = kLanes * packet + i;
     if (bounce == 1)
       ++unknown_[flights.slot[i]];
     else if (fill_unknown_)
-      astray_.push_back(order_[std::size_t(kLanes * packet + i)]);
+      astray_.push_back(order_[std::size_t(ray)]);
   });
 }
 

@@ -9,6 +9,7 @@
 #include "renderer/paths/path_scene.h"
 #include "renderer/paths/ray_queues.h"
 #include "renderer/paths/sight.h"
+#include "renderer/paths/vertices.h"
 
 namespace lightbench {
 
@@ -50,15 +51,6 @@ class TileTracer {
   RayTallies tallies() const;
 
  private:
-  /// Ends of eight paths, from where they go on.
-  struct Vertices8 {
-    Vec8 position, normal, offset;
-    Vec8 throughput;  ///< share of the light arriving here that the primary ray shows
-    UInt8 seed, index, slot;
-
-    static Vertices8 load(const Row* rows);
-    void append_to(std::vector<Row>& rows, int& size, Int8 mask) const;
-  };
   /// Paths on their way to the next surface, but for their rays.
   struct Flights8 {
     Vec8 throughput;
