@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -53,11 +54,11 @@ std::string text(double x, double y, const char* anchor, const std::string& what
 
 std::string grid(const Axes& axes) {
   std::string svg;
-  const double step = axes.high_gain - axes.low_gain > 100 ? 20 : 10;
-  for (double gain = axes.low_gain; gain <= axes.high_gain; gain += step)
+  const int step = axes.high_gain - axes.low_gain > 100 ? 20 : 10;
+  for (int gain = int(axes.low_gain); gain <= int(axes.high_gain); gain += step)
     svg += line(kLeft, axes.y(gain), kWidth - kRight, axes.y(gain), gain == 0 ? "zero" : "grid") +
-           text(kLeft - 8, axes.y(gain) + 4, "end", fmt::format("{:.0f}", gain));
-  for (double power = std::floor(axes.low_log); power <= axes.high_log; ++power)
+           text(kLeft - 8, axes.y(gain) + 4, "end", std::to_string(gain));
+  for (int power = int(std::floor(axes.low_log)); power <= int(axes.high_log); ++power)
     for (const double digit : {1, 2, 5}) {
       const double seconds = digit * std::pow(10, power);
       if (std::log10(seconds) < axes.low_log || std::log10(seconds) > axes.high_log) continue;

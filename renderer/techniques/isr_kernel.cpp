@@ -44,7 +44,7 @@ std::vector<KernelSample> spiral_kernel(int count, float radius, float spread) {
 
 std::vector<KernelSample> jittered_kernel(int count, float radius, float spread) {
   std::mt19937 random(1);  // the same on every machine, unlike the distributions of <random>
-  const auto jitter = [&] { return random() / 4294967296.0; };
+  const auto jitter = [&] { return double(random()) / 4294967296.0; };
   std::vector<int> sectors(std::size_t(std::max(count, 0)));
   std::iota(sectors.begin(), sectors.end(), 0);
   for (std::size_t i = sectors.size(); i > 1; --i)
