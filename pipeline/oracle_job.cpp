@@ -2,9 +2,13 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
+#include "base/text.h"
 #include "pipeline/concrete.h"
 #include "pipeline/references.h"
+#include "pipeline/tables.h"
 #include "renderer/techniques/isr_oracle.h"
 
 namespace lightbench {
@@ -14,16 +18,7 @@ constexpr double kCeilingNoise = 1.5;  // of 255
 
 bool has_oracle(const JobVariant& variant) {
   if (variant.technique != "isr") return false;
-  const ParamValues params = variant_params(variant);
-  return params.text("visibility") == "bitmask" && params.boolean("direct");
-}
-
-/// What a variant sees.
-GivenParams limits_of(const JobVariant& variant) {
-  const ParamValues params = variant_params(variant);
-  GivenParams limits;
-  for (const char* name : isr_oracle_limits()) limits[name] = params.all().at(name);
-  return limits;
+  return variant_params(variant).boolean("direct");
 }
 
 bool is_taken(const Job& job, const std::string& name) {
@@ -42,7 +37,7 @@ void add_oracles(OracleJob& to) {
   std::vector<JobVariant> oracles;
   for (const JobVariant& variant : variants) {
     if (!has_oracle(variant)) continue;
-    const GivenParams limits = limits_of(variant);
+    const GivenParams limits = isr_oracle_limits(variant_params(variant));
     const auto known = std::ranges::find(oracles, limits, &JobVariant::params);
     if (known != oracles.end()) {
       to.pairs.push_back({variant.name, known->name});
@@ -59,15 +54,35 @@ void add_oracles(OracleJob& to) {
   }
 }
 
-void add_ceiling(Job& job) {
+int reference_bounces(const Job& job) {
   const auto reference = std::ranges::find(job.references, job.primary_reference, &JobReference::name);
-  const int bounces = find_reference_kind(reference->kind, "").bounces(reference_params(*reference));
-  const auto gives_ceiling = [&](const JobVariant& variant) {
-    const Technique& technique = find_technique(variant.technique, "");
-    return technique.offline && !technique.limited &&
-           technique_bounces(technique, variant_params(variant)) == bounces;
-  };
-  if (std::ranges::any_of(job.variants, gives_ceiling)) return;
+  return find_reference_kind(reference->kind, "").bounces(reference_params(*reference));
+}
+
+bool gives_ceiling(const JobVariant& variant, int bounces) {
+  const Technique& technique = find_technique(variant.technique, "");
+  return technique.offline && !technique.limited &&
+         technique_bounces(technique, variant_params(variant)) == bounces;
+}
+
+void keep_only(Job& job, const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    if (std::ranges::find(job.variants, name, &JobVariant::name) == job.variants.end())
+      throw Error(
+          fmt::format("there is no variant '{}'{}", name, did_you_mean(name, row_names(job.variants))),
+          job.file.string());
+  const int bounces = reference_bounces(job);
+  std::erase_if(job.variants, [&](const JobVariant& variant) {
+    return std::ranges::find(names, variant.name) == names.end() && variant.name != job.baseline &&
+           !gives_ceiling(variant, bounces);
+  });
+}
+
+void add_ceiling(Job& job) {
+  const int bounces = reference_bounces(job);
+  if (std::ranges::any_of(job.variants,
+                          [&](const JobVariant& variant) { return gives_ceiling(variant, bounces); }))
+    return;
   JobVariant ceiling;
   ceiling.name = free_name(job, "ceiling");
   ceiling.technique = "path_tracer";
@@ -77,7 +92,7 @@ void add_ceiling(Job& job) {
 
 }  // namespace
 
-OracleJob oracle_job(const Job& job) {
+OracleJob oracle_job(const Job& job, const std::vector<std::string>& only) {
   const std::string where = job.file.string();
   if (job.primary_reference.empty()) throw Error("an oracle needs a reference, and the job has none", where);
   if (job.baseline.empty())
@@ -86,11 +101,13 @@ OracleJob oracle_job(const Job& job) {
   result.job.name += "-oracle";
   result.job.variants = expand_sweeps(job.variants);
   result.job.gates.clear();
+  if (!only.empty()) keep_only(result.job, only);
   add_oracles(result);
   if (result.pairs.empty())
     throw Error(
-        "no variant of technique 'isr' has visibility: 'bitmask' (as presets fast and best do), so "
-        "there is nothing that an oracle could be of",
+        "no variant is of technique 'isr' and shows direct light, so there is nothing that an oracle could "
+        "be "
+        "of",
         where);
   add_ceiling(result.job);
   if (std::ranges::find(job.metrics, "gain") == job.metrics.end()) result.job.metrics.emplace_back("gain");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "pipeline/job.h"
@@ -13,10 +14,11 @@ struct OracleJob {
 };
 
 /// The job with a variant `NAME, oracle` (technique isr_oracle) behind each variant of technique `isr` that
-/// has visibility and shows direct light too, with what it sees; variants that see the same share one. A
-/// path-traced variant with the bounces of the primary reference is added where the job has none, and metric
-/// `gain`. Sweeps are expanded. Gates are left out: they judge the job's own run. Throws Error where there is
-/// no such variant, no reference, or no baseline.
-OracleJob oracle_job(const Job& job);
+/// shows direct light too, with what it sees; variants that see the same share one. A path-traced variant
+/// with the bounces of the primary reference is added where the job has none, and metric `gain`. Sweeps are
+/// expanded. Gates are left out: they judge the job's own run. With `only`, other variants than those of
+/// these names are left out, but for the baseline and what gives the ceiling. Throws Error where there is no
+/// such variant, no reference, or no baseline.
+OracleJob oracle_job(const Job& job, const std::vector<std::string>& only = {});
 
 }  // namespace lightbench

@@ -13,11 +13,12 @@ namespace {
 
 struct OracleParams {
   std::string job;
+  std::vector<std::string> variants;
   RunFlags flags;
 };
 
 ExitCode run_oracle(const OracleParams& params) {
-  OracleJob oracle = oracle_job(read_job(params.job));
+  OracleJob oracle = oracle_job(read_job(params.job), params.variants);
   const RunOptions options = run_options(params.flags);
   const std::filesystem::path out = run_folder(oracle.job, options.out);
   oracle.job.file = out / "oracle.json";  // so that the folder can be scored and run again as it is
@@ -38,12 +39,17 @@ void add_oracle_command(CLI::App& app, Action& action) {
       add_command<OracleParams>(app, "oracle", "Tell where screen-space variants of a job lose their gain",
                                 action, run_oracle, command);
   command->add_option("job", params->job, "Job file (jobs/FORMAT.md)")->required();
+  command
+      ->add_option("--variant", params->variants,
+                   "Only this variant, the baseline and the ceiling (repeatable); default: all")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   add_run_flags(*command, params->flags);
   command->footer(
-      R"(Each variant of technique `isr` with visibility (presets fast, best) gets an oracle beside it: the same light, from
-the same pictures (guard band, layers, cameras, bounces), gathered by exact rays instead of a search. With the ceiling,
-a path-traced image, the table then says what is lost by searching, which a better search could win, and what is lost
-since no picture holds the surface, which none could.
+      R"(Each variant of technique `isr` gets an oracle beside it: the same light, from the same pictures (guard band,
+layers, cameras, bounces), gathered by exact rays instead of a search. With the ceiling, a path-traced image, the table
+then says what is lost by searching, which a better search could win, and what is lost since no picture holds the
+surface, which none could.
 
 It is a run of its own in out/<job name>-oracle: it goes on where it was interrupted, and oracle.md keeps the table.
 Gates of the job are left out. A run of the job itself can be copied there first, so that its pictures count.
@@ -52,6 +58,7 @@ Exit codes: 0 done; 2 a task failed, or INT or TERM ended the run; 3 bad input.
 
 Examples:
   lightbench oracle jobs/isr.json
+  lightbench oracle jobs/isr.json --variant fast --variant 'best, 1 layer'
   lightbench oracle jobs/isr.json --only 'cornell/*')");
 }
 

@@ -67,17 +67,23 @@ void render(FrameContext& frame, const ParamValues& params) {
 
 }  // namespace
 
-std::span<const char* const> isr_oracle_limits() {
-  return kLimits;
+std::map<std::string, ParamValue> isr_oracle_limits(const ParamValues& isr) {
+  std::map<std::string, ParamValue> limits;
+  if (isr.text("visibility") == "none") {
+    limits["background"] = isr.boolean("background");
+    return limits;
+  }
+  for (const char* name : kLimits) limits[name] = isr.all().at(name);
+  return limits;
 }
 
 Technique isr_oracle_technique() {
   Technique technique;
   technique.name = "isr_oracle";
   technique.doc =
-      "what `isr` with visibility could gather at best from what its pictures hold: the same by exact rays, "
-      "without "
-      "OpenGL";
+      "what `isr` could gather at best from what its pictures hold: the same by exact rays, without OpenGL; "
+      "the "
+      "defaults are those of preset `area`, the frame and one bounce";
   technique.params = oracle_params();
   technique.presets = oracle_presets();
   technique.buffers = {{"indirect", "what is added to the direct light, linear RGB; 0 on the background"},

@@ -33,15 +33,35 @@ const JobVariant& variant_called(const Job& job, const std::string& name) {
 
 const char* const kFast = R"({"name": "fast", "technique": "isr", "preset": "fast", "params": {"guard": 3}})";
 
-TEST(OracleJob, PutsAnOracleBehindEachVariantWithVisibilityAndTheCeilingLast) {
-  const OracleJob result = made(
-      std::string(kFast) +
-      R"(, {"name": "area", "technique": "isr"}, {"name": "best", "technique": "isr", "preset": "best"})");
+const std::string kThree =
+    std::string(kFast) +
+    R"(, {"name": "ambient", "technique": "ambient"}, {"name": "best", "technique": "isr", "preset": "best"})";
+
+TEST(OracleJob, PutsAnOracleBehindEachVariantOfIsrAndTheCeilingLast) {
+  const OracleJob result = made(kThree);
   EXPECT_THAT(row_names(result.job.variants),
-              ElementsAre("direct", "fast", "fast, oracle", "area", "best", "best, oracle", "ceiling"));
+              ElementsAre("direct", "fast", "fast, oracle", "ambient", "best", "best, oracle", "ceiling"));
   EXPECT_THAT(result.pairs,
               ElementsAre(OraclePair{"fast", "fast, oracle"}, OraclePair{"best", "best, oracle"}));
   EXPECT_EQ(result.job.name, "job-oracle");
+}
+
+TEST(OracleJob, OfChosenVariantsKeepsTheBaselineAndTheCeiling) {
+  const OracleJob result = oracle_job(
+      job_with(kThree + R"(, {"name": "paths", "technique": "path_tracer", "params": {"bounces": 2}})"),
+      {"best"});
+  EXPECT_THAT(row_names(result.job.variants), ElementsAre("direct", "best", "best, oracle", "paths"));
+}
+
+TEST(OracleJob, WithoutVisibilityTheFrameAndOneBounceAreSeen) {
+  const OracleJob result = made(
+      R"({"name": "area", "technique": "isr",
+          "params": {"guard": 3, "bounces": 2, "unknown": "ambient", "background": false}})");
+  const ParamValues params = variant_params(variant_called(result.job, "area, oracle"));
+  EXPECT_EQ(params.number("guard"), 1);
+  EXPECT_EQ(params.integer("bounces"), 1);
+  EXPECT_EQ(params.text("unknown"), "black");
+  EXPECT_FALSE(params.boolean("background"));
 }
 
 TEST(OracleJob, AnOracleSeesWhatItsVariantSees) {
@@ -103,9 +123,9 @@ TEST(OracleJob, ReadsBackFromItsText) {
             variant_params(variant_called(job, "fast, oracle")).all());
 }
 
-void expect_error(const Job& job, const std::string& text) {
+void expect_error(const Job& job, const std::string& text, const std::vector<std::string>& only = {}) {
   try {
-    oracle_job(job);
+    oracle_job(job, only);
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr(text));
@@ -114,7 +134,8 @@ void expect_error(const Job& job, const std::string& text) {
 }
 
 TEST(OracleJob, SaysWhatAJobLacks) {
-  expect_error(job_with(R"({"name": "area", "technique": "isr"})"), "visibility");
+  expect_error(job_with(R"({"name": "other", "technique": "ambient"})"), "technique 'isr'");
+  expect_error(job_with(kFast), "no variant 'fats' (did you mean 'fast'?)", {"fats"});
   Job job = job_with(kFast);
   job.baseline.clear();
   expect_error(job, "baseline");
