@@ -49,24 +49,28 @@ Float8 PathLight::cone(const Vec8& to_light) const {
   return t * t * (3 - 2 * t);
 }
 
-Arriving8 PathLight::reflect(const Surfaces8& s, const Vec8& viewer) const {
-  Arriving8 result;
-  Vec8 unit;
+Incident8 PathLight::incident(const Surfaces8& s) const {
+  Incident8 result;
   Float8 strength;
   if (directional()) {
-    unit = result.to_light = splat(-light_.direction);
+    result.unit = result.to_light = splat(-light_.direction);
     strength = splat(1);
   } else {
     result.to_light = splat(light_.position) - s.position;
     const Float8 distance = max8(sqrt8(dot(result.to_light, result.to_light)), splat(1e-12f));
-    unit = result.to_light * (1 / distance);
-    strength = attenuation(distance) * cone(unit);
+    result.unit = result.to_light * (1 / distance);
+    strength = attenuation(distance) * cone(result.unit);
   }
-  const Float8 n_dot_l = dot(s.normal, unit);
-  strength = select(n_dot_l > 0, strength, splat(0));
-  const Vec8 arriving = splat(radiance_) * strength;
-  result.reflected = arriving * s.albedo * n_dot_l;
-  if (any(s.specular > 0)) result.reflected = result.reflected + arriving * phong(s, unit, n_dot_l, viewer);
+  result.n_dot_l = dot(s.normal, result.unit);
+  result.radiance = splat(radiance_) * select(result.n_dot_l > 0, strength, splat(0));
+  return result;
+}
+
+Arriving8 PathLight::reflect(const Surfaces8& s, const Vec8& viewer) const {
+  const Incident8 light = incident(s);
+  Arriving8 result{light.radiance * s.albedo * light.n_dot_l, light.to_light};
+  if (any(s.specular > 0))
+    result.reflected = result.reflected + light.radiance * phong(s, light.unit, light.n_dot_l, viewer);
   return result;
 }
 

@@ -12,12 +12,21 @@ struct Arriving8 {
   Vec8 to_light;   ///< to the light's place, or against a directional light; a shadow ray's direction
 };
 
+/// What one light point sends to eight surfaces that nothing hides from it.
+struct Incident8 {
+  Vec8 radiance;  ///< that a white diffuse surface facing the light shows; 0 behind the surface's horizon
+  Vec8 to_light;  ///< as in Arriving8
+  Vec8 unit;      ///< its direction
+  Float8 n_dot_l;
+};
+
 /// A light point as paths need it.
 class PathLight {
  public:
   /// Not an area light: those are points already (scene/light_points.h).
   explicit PathLight(const Light& light);
 
+  Incident8 incident(const Surfaces8& surfaces) const;
   /// `viewer` is the unit direction from the surfaces to who looks at them. The equations are those of
   /// shaders/direct.frag.glsl.
   Arriving8 reflect(const Surfaces8& surfaces, const Vec8& viewer) const;
