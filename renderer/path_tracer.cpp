@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <glm/glm.hpp>
 
-#include "base/color.h"
 #include "base/error.h"
 #include "base/image_io.h"
+#include "renderer/paths/half_error.h"
 #include "renderer/paths/tile_tracer.h"
 
 namespace lightbench {
@@ -54,21 +54,11 @@ void check_arguments(const Scene& scene, const View& view, int width, int height
       throw Error("light '" + light.name + "' is not finite", scene.name);
 }
 
-/// The sRGB values of a colour on the scale of 255, clamped as an 8-bit image is, but not rounded.
-glm::vec3 shown(const glm::vec3& linear) {
-  const glm::vec3 c = glm::clamp(linear, 0.0f, 1.0f);
-  return 255.0f * glm::vec3(srgb_encode(c.x), srgb_encode(c.y), srgb_encode(c.z));
-}
-
 /// A pixel as each half of the samples has it, over the background.
 struct HalfPixels {
   glm::vec3 half[2];
   float alpha;
-  /// |a - b| / 2 has the mean error of (a + b) / 2, as both are independent.
-  float error() const {
-    const glm::vec3 difference = glm::abs(shown(half[0]) - shown(half[1]));
-    return (difference.x + difference.y + difference.z) / 6;
-  }
+  float error() const { return half_error(half[0], half[1]); }
 };
 
 struct PixelTile {

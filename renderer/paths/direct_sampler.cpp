@@ -11,17 +11,17 @@ namespace {
 constexpr std::size_t kFewLights = 4;
 constexpr int kAskedLights = 2;
 
-void add_rays(ShadowQueue& queue, const PathLight& light, const Surfaces8& s, Int8 mask, const Vec8& to_light,
-              const Vec8& value, UInt8 slots) {
+}  // namespace
+
+void ask_shadow(ShadowQueue& queue, const Surfaces8& s, Int8 mask, const Vec8& to_light, bool directional,
+                const Vec8& value, UInt8 slots) {
   if (!any(mask)) return;
   const Vec8 origin = leave(s.position, s.offset, to_light);
-  if (light.directional())
+  if (directional)
     queue.add(mask, {origin, to_light}, splat(std::numeric_limits<float>::infinity()), value, slots);
   else
     queue.add(mask, {origin, to_light + (s.position - origin)}, splat(kShadowEnd), value, slots);
 }
-
-}  // namespace
 
 bool DirectSampler::picks() const {
   return scene_.lights.size() > kFewLights;
@@ -32,7 +32,8 @@ void DirectSampler::ask_all(ShadowQueue& queue, const Surfaces8& surfaces, Int8 
   for (const PathLight& light : scene_.lights) {
     const Arriving8 arriving = light.reflect(surfaces, viewer);
     const Vec8 value = arriving.reflected * share;
-    add_rays(queue, light, surfaces, mask & (largest(value) > 0), arriving.to_light, value, slots);
+    ask_shadow(queue, surfaces, mask & (largest(value) > 0), arriving.to_light, light.directional(), value,
+               slots);
   }
 }
 
@@ -57,7 +58,8 @@ void DirectSampler::ask_some(ShadowQueue& queue, const Surfaces8& surfaces, Int8
       next += select(more, step, splat(0));
     }
     const Vec8 value = arriving_[light].reflected * (times * step / weight);
-    add_rays(queue, scene_.lights[light], surfaces, picked, arriving_[light].to_light, value, slots);
+    ask_shadow(queue, surfaces, picked, arriving_[light].to_light, scene_.lights[light].directional(), value,
+               slots);
   }
 }
 

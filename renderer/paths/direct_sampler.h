@@ -7,6 +7,11 @@
 
 namespace lightbench {
 
+/// Asks, in the lanes of the mask, whether anything hides the light that `to_light` leads to; what it brings
+/// if not, `value`, goes to the slots.
+void ask_shadow(ShadowQueue& queue, const Surfaces8& surfaces, Int8 mask, const Vec8& to_light,
+                bool directional, const Vec8& value, UInt8 slots);
+
 /// Shadow rays from surfaces to light points.
 class DirectSampler {
  public:

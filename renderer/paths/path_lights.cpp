@@ -49,14 +49,14 @@ Float8 PathLight::cone(const Vec8& to_light) const {
   return t * t * (3 - 2 * t);
 }
 
-Incident8 PathLight::incident(const Surfaces8& s) const {
+Incident8 PathLight::incident(const Surfaces8& s, const Vec8& position) const {
   Incident8 result;
   Float8 strength;
   if (directional()) {
     result.unit = result.to_light = splat(-light_.direction);
     strength = splat(1);
   } else {
-    result.to_light = splat(light_.position) - s.position;
+    result.to_light = position - s.position;
     const Float8 distance = max8(sqrt8(dot(result.to_light, result.to_light)), splat(1e-12f));
     result.unit = result.to_light * (1 / distance);
     strength = attenuation(distance) * cone(result.unit);

@@ -26,7 +26,9 @@ class PathLight {
   /// Not an area light: those are points already (scene/light_points.h).
   explicit PathLight(const Light& light);
 
-  Incident8 incident(const Surfaces8& surfaces) const;
+  Incident8 incident(const Surfaces8& surfaces) const { return incident(surfaces, splat(light_.position)); }
+  /// The same of a light that stands elsewhere, in each lane at a place of its own.
+  Incident8 incident(const Surfaces8& surfaces, const Vec8& position) const;
   /// `viewer` is the unit direction from the surfaces to who looks at them. The equations are those of
   /// shaders/direct.frag.glsl.
   Arriving8 reflect(const Surfaces8& surfaces, const Vec8& viewer) const;
