@@ -56,7 +56,6 @@ void TileTracer::shade_primary(int packet) {
   const Surfaces8 s = scene_.surfaces.shade(rays, mask);
   const Vec8 viewer = -load_vec8(rays.ray.dir_x, rays.ray.dir_y, rays.ray.dir_z);
   const UInt8 numbers = lane_numbers() + std::uint32_t(kLanes * packet);
-  lights_.ask_all(shadows_, s, mask, viewer, splat(glm::vec3(1)), numbers);
   UInt8 seeds{};
   for_lanes(mask, [&](int i) {
     const int ray = kLanes * packet + i;
@@ -64,6 +63,8 @@ void TileTracer::shade_primary(int packet) {
     direct_[std::size_t(ray)] = s.emission.lane(i);
     seeds[i] = primary_seed(seed_, tile_.x + ray % tile_.width, tile_.y + ray / tile_.width);
   });
+  // Once what they add to has its first value, since the queue may be full in the midst of them.
+  lights_.ask_all(shadows_, s, mask, viewer, splat(glm::vec3(1)), numbers);
   waves_.add_points(s, mask, seeds, numbers);
 }
 

@@ -356,6 +356,18 @@ TEST(PathTracer, AnAreaLightIsItsPoints) {
   EXPECT_EQ(traced(scene, top_view(3), with_bounces(1)), traced(points, top_view(3), with_bounces(1)));
 }
 
+TEST(PathTracer, ManyLightsInOnePlaceAreAsBrightAsOne) {
+  Scene scene = floor_scene();
+  scene.lights = {point_light({0, 2, 0})};
+  scene.lights[0].power = 0.9f;
+  const Image one = traced(scene, top_view(4), with_bounces(0), 32, 32);
+  scene.lights.assign(36, scene.lights[0]);  // more rays than are traced at a time
+  for (Light& light : scene.lights) light.power /= 36;
+  const Image many = traced(scene, top_view(4), with_bounces(0), 32, 32);
+  for (std::size_t i = 0; i < one.data.size(); ++i)
+    EXPECT_NEAR(many.data[i], one.data[i], 1e-5f);  // 36 roundings of floats below 1
+}
+
 TEST(PathTracer, SupersamplingIsTheMeanOfFinerPixels) {
   Scene scene = room();
   scene.entities.erase(scene.entities.begin());  // sky behind
