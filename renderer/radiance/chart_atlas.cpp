@@ -30,7 +30,8 @@ struct Attempt {
 void check_size(const AtlasSize& size, const std::string& where) {
   if (const auto* density = std::get_if<TexelsPerUnit>(&size)) {
     if (!(density->value > 0) || !std::isfinite(density->value))
-      throw Error(fmt::format("{} texels per unit of length is not a positive number", density->value), where);
+      throw Error(fmt::format("{} texels per unit of length is not a positive number", density->value),
+                  where);
     return;
   }
   const glm::ivec2 given = std::get<glm::ivec2>(size);
@@ -131,8 +132,8 @@ std::vector<bool> triangles_without_chart(const Mesh& mesh, const std::vector<Su
   return without;
 }
 
-Attempt atlas_of_own_uvs(const Mesh& mesh, const glm::mat4& transform, const std::vector<SurfaceChart>& charts,
-                         const AtlasSize& size) {
+Attempt atlas_of_own_uvs(const Mesh& mesh, const glm::mat4& transform,
+                         const std::vector<SurfaceChart>& charts, const AtlasSize& size) {
   const std::vector<bool> without = triangles_without_chart(mesh, charts);
   if (std::string problem = problem_of_uvs(mesh, without); !problem.empty()) return {{}, problem};
   glm::dvec2 sides;

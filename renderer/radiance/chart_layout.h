@@ -13,10 +13,10 @@ namespace lightbench {
 /// A rectangle of texels that holds a chart of two triangles, a chart of one, or two charts of one each whose
 /// hypotenuses face each other.
 struct ChartRectangle {
-  glm::ivec2 place{0};  ///< the first texel
-  glm::ivec2 size;      ///< in texels
-  glm::ivec2 steps;     ///< along a triangle's legs, from texel centre to texel centre
-  TriangleHalf first;   ///< right angle at the first texel
+  glm::ivec2 place{0};                 ///< the first texel
+  glm::ivec2 size;                     ///< in texels
+  glm::ivec2 steps;                    ///< along a triangle's legs, from texel centre to texel centre
+  TriangleHalf first;                  ///< right angle at the first texel
   std::optional<TriangleHalf> second;  ///< right angle at the last texel
   bool one_chart;                      ///< of the two triangles
 };
@@ -35,6 +35,7 @@ ChartLayout fit_charts(std::span<const SurfaceChart> charts, glm::ivec2 size, co
 
 /// The smallest about square texture with so many texels per unit of length. Throws Error(..., where) when a
 /// side is longer than kMaxAtlasSide, naming a density that fits.
-ChartLayout place_charts(std::span<const SurfaceChart> charts, double texels_per_unit, const std::string& where);
+ChartLayout place_charts(std::span<const SurfaceChart> charts, double texels_per_unit,
+                         const std::string& where);
 
 }  // namespace lightbench

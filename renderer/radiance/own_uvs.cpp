@@ -12,6 +12,7 @@
 
 #include "renderer/radiance/surface_charts.h"
 #include "renderer/radiance/texel_cover.h"
+#include "renderer/radiance/weld.h"
 
 namespace lightbench {
 namespace {
@@ -40,18 +41,11 @@ UvBox box_of(const Mesh& mesh) {
   return box;
 }
 
-/// For each vertex, the first one with the same position and UV.
-std::vector<std::uint32_t> weld(const Mesh& mesh) {
-  const auto key = [&](std::uint32_t i) {
+std::vector<std::uint32_t> weld_positions_and_uvs(const Mesh& mesh) {
+  return weld<5>(mesh.positions.size(), [&](std::uint32_t i) {
     const glm::vec3& p = mesh.positions[i];
-    return std::tuple(p.x, p.y, p.z, mesh.uvs[i].x, mesh.uvs[i].y);
-  };
-  std::vector<std::uint32_t> order(mesh.positions.size()), first(mesh.positions.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, [&](auto i, auto j) { return key(i) < key(j); });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
-  return first;
+    return std::array{p.x, p.y, p.z, mesh.uvs[i].x, mesh.uvs[i].y};
+  });
 }
 
 class UnionFind {
@@ -69,7 +63,7 @@ class UnionFind {
 };
 
 std::vector<std::uint32_t> connected_pieces(const Mesh& mesh, const std::vector<bool>& in_no_chart) {
-  const std::vector<std::uint32_t> welded = weld(mesh);
+  const std::vector<std::uint32_t> welded = weld_positions_and_uvs(mesh);
   std::vector<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>> edges;  // ends, triangle
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     for (int k = 0; k < 3 && !in_no_chart[t]; ++k) {

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
+
+#include "renderer/radiance/weld.h"
 
 namespace lightbench {
 namespace {
@@ -38,17 +39,10 @@ std::array<std::uint8_t, 3> corners_from(unsigned corner) {
   return {std::uint8_t(corner), std::uint8_t((corner + 1) % 3), std::uint8_t((corner + 2) % 3)};
 }
 
-/// For each vertex, the first one at the same position.
-std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
-  const auto key = [&](std::uint32_t i) {
-    return std::tuple(positions[i].x, positions[i].y, positions[i].z, i);
-  };
-  std::vector<std::uint32_t> order(positions.size()), first(positions.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, [&](auto i, auto j) { return key(i) < key(j); });
-  for (std::size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && positions[order[i]] == positions[order[i - 1]] ? first[order[i - 1]] : order[i];
-  return first;
+std::vector<std::uint32_t> weld_positions(const std::vector<glm::vec3>& positions) {
+  return weld<3>(positions.size(), [&](std::uint32_t i) {
+    return std::array{positions[i].x, positions[i].y, positions[i].z};
+  });
 }
 
 std::vector<int> part_of_triangles(const Mesh& mesh) {
@@ -68,7 +62,10 @@ bool has_area(const std::array<glm::dvec3, 3>& p) {
 class ChartFinder {
  public:
   ChartFinder(const Mesh& mesh, const glm::mat4& transform)
-      : mesh_(mesh), transform_(transform), welded_(weld(mesh.positions)), parts_(part_of_triangles(mesh)) {}
+      : mesh_(mesh),
+        transform_(transform),
+        welded_(weld_positions(mesh.positions)),
+        parts_(part_of_triangles(mesh)) {}
 
   std::vector<SurfaceChart> run() {
     std::vector<bool> done(mesh_.triangles.size());
@@ -97,8 +94,8 @@ class ChartFinder {
     std::vector<Edge> edges;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (unsigned k = 0; k < 3 && !left_out[t]; ++k) {
-        const auto [low, high] = std::minmax({welded_[mesh_.triangles[t][int(k + 1) % 3]],
-                                              welded_[mesh_.triangles[t][int(k + 2) % 3]]});
+        const auto [low, high] = std::minmax(
+            {welded_[mesh_.triangles[t][int(k + 1) % 3]], welded_[mesh_.triangles[t][int(k + 2) % 3]]});
         edges.push_back({low, high, t, std::uint8_t(k)});
       }
     std::ranges::sort(edges, {}, [](const Edge& e) { return std::tuple(e.low, e.high, e.triangle); });
@@ -136,7 +133,8 @@ class ChartFinder {
     const glm::dvec3 origin = p[first.corners[0]], far = q[second.corners[0]];
     const glm::dvec3 u = p[first.corners[1]] - origin, v = p[first.corners[2]] - origin;
     const glm::dvec3 far_u = far - p[first.corners[2]], far_v = far - p[first.corners[1]];
-    const double cosine = glm::dot(glm::normalize(glm::cross(u, v)), glm::normalize(glm::cross(far_u, far_v)));
+    const double cosine =
+        glm::dot(glm::normalize(glm::cross(u, v)), glm::normalize(glm::cross(far_u, far_v)));
     const double skew = glm::length(far_u - u) / std::min(glm::length(u), glm::length(v));
     const double shear = std::abs(glm::dot(glm::normalize(u), glm::normalize(v)));
     if (cosine < kCoplanar || skew > kMostSkew || shear > kMostShear) return std::nullopt;
@@ -147,9 +145,8 @@ class ChartFinder {
   SurfaceChart half(std::uint32_t triangle) const {
     const auto p = corners(triangle);
     const auto opposite_edge = [&](unsigned k) { return glm::distance(p[(k + 1) % 3], p[(k + 2) % 3]); };
-    const unsigned right = std::max({0u, 1u, 2u}, [&](unsigned i, unsigned j) {
-      return opposite_edge(i) < opposite_edge(j);
-    });
+    const unsigned right =
+        std::max({0u, 1u, 2u}, [&](unsigned i, unsigned j) { return opposite_edge(i) < opposite_edge(j); });
     return longer_first({{triangle, corners_from(right)},
                          std::nullopt,
                          opposite_edge((right + 2) % 3),
@@ -172,7 +169,8 @@ class ChartFinder {
 
 }  // namespace
 
-std::array<glm::dvec3, 3> world_corners(const Mesh& mesh, const glm::mat4& transform, std::uint32_t triangle) {
+std::array<glm::dvec3, 3> world_corners(const Mesh& mesh, const glm::mat4& transform,
+                                        std::uint32_t triangle) {
   std::array<glm::dvec3, 3> corners;
   for (int i = 0; i < 3; ++i)
     corners[std::size_t(i)] =

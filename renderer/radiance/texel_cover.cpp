@@ -135,8 +135,8 @@ class Cover {
     if (covering == kNone)
       covering = triangle;
     else if (is_inside(place, covering) && is_inside(place, triangle))
-      result_.problem = fmt::format("triangles {} and {} overlap at texel ({}, {})", covering, triangle,
-                                    place.x, place.y);
+      result_.problem =
+          fmt::format("triangles {} and {} overlap at texel ({}, {})", covering, triangle, place.x, place.y);
   }
 
   void own(const glm::ivec2& place, std::uint32_t triangle) {
@@ -160,8 +160,8 @@ class Cover {
   }
 
   void list_gutters() {
-    for (int y = 0; y < in_.size.y && !result_.problem; ++y)
-      for (int x = 0; x < in_.size.x; ++x)
+    for (int y = 0; y < in_.size.y; ++y)
+      for (int x = 0; x < in_.size.x && !result_.problem; ++x)
         if (const std::size_t i = index({x, y}); owner_[i] != kNoChart && covering_[i] == kNone)
           put_gutter({x, y}, owner_[i]);
   }

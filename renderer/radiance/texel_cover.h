@@ -34,9 +34,9 @@ inline constexpr std::uint32_t kNoChart = 0xffffffff;
 
 /// Triangles of an object in the plane of its texture. Texel (i, j) has its centre at (i + 0.5, j + 0.5).
 struct TexelTriangles {
-  glm::ivec2 size;                                         ///< of the texture
-  std::span<const std::array<glm::vec2, 3>> coordinates;   ///< of the corners, at least 0.5 from its borders
-  std::span<const std::uint32_t> charts;                   ///< of each triangle; kNoChart: it takes no part
+  glm::ivec2 size;                                        ///< of the texture
+  std::span<const std::array<glm::vec2, 3>> coordinates;  ///< of the corners, at least 0.5 from its borders
+  std::span<const std::uint32_t> charts;                  ///< of each triangle; kNoChart: it takes no part
   std::span<const glm::ivec2> anchors;  ///< of each chart: a surface texel that has surface texels next to it
                                         ///< in all directions in which the chart goes on; or empty
 };

@@ -21,8 +21,8 @@ inline Mesh mesh_of(std::vector<glm::vec3> positions, std::vector<glm::uvec3> tr
   mesh.triangles = std::move(triangles);
   mesh.normals.assign(mesh.positions.size(), glm::vec3(0));
   for (const glm::uvec3& t : mesh.triangles) {
-    const glm::vec3 normal = glm::cross(mesh.positions[t.y] - mesh.positions[t.x],
-                                        mesh.positions[t.z] - mesh.positions[t.x]);
+    const glm::vec3 normal =
+        glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]);
     for (int i = 0; i < 3; ++i)
       if (mesh.normals[t[i]] == glm::vec3(0))
         mesh.normals[t[i]] = glm::length(normal) > 0 ? glm::normalize(normal) : glm::vec3(0, 1, 0);

@@ -24,7 +24,7 @@ bool are_scenes_required() {
 
 class RealSurfaces : public testing::TestWithParam<const char*> {};
 
-/// Ten points of each triangle at most, a million altogether.
+/// Ten points of each triangle.
 void expect_lookups_to_stay(const Mesh& mesh, const ChartAtlas& atlas) {
   const FilledAtlas filled(atlas, [](std::uint32_t, const glm::dvec2&) { return 0.0; });
   ASSERT_TRUE(filled.is_clean()) << mesh.name;
@@ -59,8 +59,12 @@ TEST_P(RealSurfaces, FillTheirTextureAndKeepLookupsApart) {
   EXPECT_GT(used / all, 0.6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, RealSurfaces, testing::Values("simple/primitives.obj"),
-                         [](const auto& info) { return std::to_string(info.index); });
+INSTANTIATE_TEST_SUITE_P(Scenes, RealSurfaces,
+                         testing::Values("simple/primitives/primitives.obj",
+                                         "simple/cornell_box/cornell_box.obj",
+                                         "simple/livingroom/livingroom.obj", "receivers/bunny.obj",
+                                         "receivers/teapot.obj", "complex/hacienda/hacienda.obj"),
+                         [](const auto& scene) { return std::to_string(scene.index); });
 
 }  // namespace
 }  // namespace lightbench
