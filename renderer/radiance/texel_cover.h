@@ -21,10 +21,10 @@ struct SurfaceTexel {
 };
 
 /// A texel outside a chart that bilinear lookups of points inside it read. Its value is a + b - c of three
-/// surface texels of that chart, given as places in the list of them; no further away than need be. Since the
-/// texels themselves lie at a + b - c, that is linear extrapolation; mostly it is 2a - c, with a = b next to
-/// the gutter and c beyond. Where a chart has too few texels for that, all three are the nearest one. The
-/// value may be negative or exceed all others: clamp it where that matters.
+/// surface texels of that chart, given as places in the list of them. Since the gutter itself lies at
+/// a + b - c, that is linear extrapolation: mostly 2a - c, with a = b next to the gutter and c beyond; in
+/// strips of two texels, a and the step from c to b elsewhere. Where there are no such texels, all three are
+/// the nearest one. The value may be negative or exceed all others: clamp it where that matters.
 struct GutterTexel {
   glm::ivec2 place;
   std::uint32_t a, b, c;

@@ -1,6 +1,8 @@
 #include "renderer/radiance/chart_atlas.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <random>
 #include <set>
 
 #include <glm/common.hpp>
@@ -162,6 +164,25 @@ TEST(ChartAtlas, StatisticsCountAllTexels) {
   EXPECT_EQ(statistics.empty, 3u);
   EXPECT_NEAR(statistics.least_area, 4, 1e-5);  // texels of 2 x 2 in world space
   EXPECT_NEAR(statistics.most_area, 4, 1e-5);
+}
+
+double used(const Mesh& mesh, const glm::ivec2& size) {
+  const AtlasStatistics statistics = atlas_statistics(charts_of(mesh, size), mesh, glm::mat4(1));
+  return double(statistics.surface + statistics.gutter) / (double(size.x) * size.y);
+}
+
+TEST(ChartAtlas, AHundredThousandTrianglesFillTheirTexture) {
+  EXPECT_GT(used(sphere_mesh(224, 224), {1024, 1024}), 0.99);
+}
+
+TEST(ChartAtlas, UnlikeTrianglesFillTheirTexture) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> part(-1, 1);
+  std::vector<glm::vec3> positions(9000);
+  for (glm::vec3& p : positions) p = {part(random), part(random), part(random)};
+  std::vector<glm::uvec3> triangles;
+  for (std::uint32_t i = 0; i < positions.size(); i += 3) triangles.emplace_back(i, i + 1, i + 2);
+  EXPECT_GT(used(mesh_of(positions, triangles), {512, 512}), 0.93);
 }
 
 float coordinate() {
