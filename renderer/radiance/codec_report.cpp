@@ -1,0 +1,56 @@
+#include "renderer/radiance/codec_report.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include "base/error.h"
+#include "renderer/radiance/color_set.h"
+
+namespace lightbench {
+namespace {
+
+/// How many values have which sum of errors over their components.
+using ErrorCounts = std::array<std::uint64_t, 3 * 255 + 1>;
+
+void measure_errors(const ErrorCounts& counts, std::uint64_t values, CodecReport& report) {
+  std::uint64_t sum = 0, seen = 0;
+  for (std::size_t error = 0; error < counts.size(); ++error) {
+    if (counts[error] == 0) continue;
+    sum += error * counts[error];
+    if (100 * seen < 99 * values) report.error_99 = double(error) / 3;
+    seen += counts[error];
+    report.max_error = double(error) / 3;
+  }
+  const std::uint64_t changed = values - counts[0];
+  report.changed = double(changed) / double(values);
+  if (changed > 0) report.mean_changed_error = double(sum) / 3 / double(changed);
+}
+
+}  // namespace
+
+CodecReport report_codec(const ByteStack& original, const ByteStack& decoded, std::vector<FileSize> files) {
+  if (original.width != decoded.width || original.height != decoded.height || original.grid != decoded.grid ||
+      original.texels.size() != decoded.texels.size())
+    throw Error("the decoded object has another size, or other directions, than the original");
+  CodecReport report{.width = original.width, .height = original.height, .files = std::move(files)};
+  ErrorCounts counts{};
+  for (std::size_t i = 0; i < original.texels.size(); ++i) {
+    int sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const int error = std::abs(original.texels[i][c] - decoded.texels[i][c]);
+      report.max_component_error = std::max(report.max_component_error, error);
+      sum += error;
+    }
+    ++counts[std::size_t(sum)];
+  }
+  measure_errors(counts, original.texels.size(), report);
+  std::uint64_t bytes = 0;
+  for (const FileSize& file : report.files) bytes += file.bytes;
+  report.raw_bytes = 3 * std::uint64_t(original.texels.size());
+  report.ratio = double(report.raw_bytes) / double(bytes);
+  report.colors = ColorSet(original.texels).size();
+  return report;
+}
+
+}  // namespace lightbench

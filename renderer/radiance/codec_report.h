@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "renderer/radiance/radiance_stack.h"
+
+namespace lightbench {
+
+struct FileSize {
+  std::string name;
+  std::uint64_t bytes;
+};
+
+/// What a compression of one object costs and saves. Errors are in steps of 8 bits. That of a value, a texel
+/// in one direction, is the mean of |decoded - true| over its three components.
+struct CodecReport {
+  int width = 0;                ///< texels
+  int height = 0;               ///< texels
+  std::uint64_t raw_bytes = 0;  ///< three for each value
+  std::vector<FileSize> files;
+  double ratio = 0;               ///< raw_bytes over all files together
+  double changed = 0;             ///< share of values that were not decoded as they were, 0..1
+  double mean_changed_error = 0;  ///< over the changed values alone; 0 where there are none
+  double error_99 = 0;            ///< the least error that 99 % of all values do not exceed
+  double max_error = 0;
+  int max_component_error = 0;
+  std::size_t colors = 0;  ///< distinct ones in the original
+};
+
+/// For any codec. Throws Error unless both stacks have the same size and directions.
+CodecReport report_codec(const ByteStack& original, const ByteStack& decoded, std::vector<FileSize> files);
+
+}  // namespace lightbench
