@@ -22,40 +22,51 @@ int error_of(const Rgb8& a, const Rgb8& b) {
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]);
 }
 
-/// The slopes, by component, of the lines from one value that come near enough to all that follow it.
-/// In floats: it may let through a line that is too far off by kSlack, and holds none back that is not.
+/// The slopes of the lines from one value that come near enough to all that follow it. Of a line's error
+/// before rounding each component is at most max_error + 1/2, and the sum of their sizes at most max_error +
+/// 3/2: bounds on the three components, and on their four sums with signs. In floats: it may let through a
+/// line that is too far off by kSlack, and holds none back that is not.
 class Corridor {
  public:
-  Corridor(const Rgb8& start, int max_error) : start_(start), margin_(float(max_error) + 0.5f + kSlack) {}
+  Corridor(const Rgb8& start, int max_error) : start_(start) {
+    low_.fill(-std::numeric_limits<float>::max());
+    high_.fill(std::numeric_limits<float>::max());
+    for (std::size_t i = 0; i < kSums; ++i)
+      margin_[i] =
+          float(max_error) + (std::abs(kRed[i]) + std::abs(kGreen[i]) + std::abs(kBlue[i])) / 2 + kSlack;
+  }
 
-  bool empty() const { return low_[0] > high_[0] || low_[1] > high_[1] || low_[2] > high_[2]; }
-  /// Whether the line to this value is one of them; `per_layer` is 1 over its distance.
-  bool holds(const Rgb8& value, float per_layer) const {
-    bool inside = true;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const float slope = rise(value, c) * per_layer;
-      inside &= low_[c] <= slope && slope <= high_[c];
+  /// Keeps the slopes that come near enough to this value; `per_layer` is 1 over its distance. Whether the
+  /// line to it was one of them before.
+  bool narrow(const Rgb8& value, float per_layer) {
+    const auto red = float(value[0] - start_[0]), green = float(value[1] - start_[1]),
+               blue = float(value[2] - start_[2]);
+    int outside = 0, empty = 0;
+    for (std::size_t i = 0; i < kSums; ++i) {
+      const float rise = kRed[i] * red + kGreen[i] * green + kBlue[i] * blue;
+      const float slope = rise * per_layer;
+      outside |= int(slope < low_[i]) | int(slope > high_[i]);
+      low_[i] = std::max(low_[i], (rise - margin_[i]) * per_layer);
+      high_[i] = std::min(high_[i], (rise + margin_[i]) * per_layer);
+      empty |= int(low_[i] > high_[i]);
     }
-    return inside;
+    empty_ = empty != 0;
+    return outside == 0;
   }
-  void narrow(const Rgb8& value, float per_layer) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      low_[c] = std::max(low_[c], (rise(value, c) - margin_) * per_layer);
-      high_[c] = std::min(high_[c], (rise(value, c) + margin_) * per_layer);
-    }
-  }
+  bool empty() const { return empty_; }
 
  private:
-  static constexpr float kUnbounded = std::numeric_limits<float>::max();
-  // Above what the roundings of `slope`, `low_` and `high_` come to over a distance: 4 times 2^-24 of 1021.
+  static constexpr std::size_t kSums = 8;  // the last one is the first again: eight go in one step
+  using Sums = std::array<float, kSums>;
+  static constexpr Sums kRed{1, 0, 0, 1, 1, 1, -1, 1};
+  static constexpr Sums kGreen{0, 1, 0, 1, 1, -1, 1, 0};
+  static constexpr Sums kBlue{0, 0, 1, 1, -1, 1, 1, 0};
+  // Above what the roundings of a slope and its bounds come to over its distance: a few times 2^-24 of 1532.
   static constexpr float kSlack = 1e-3f;
 
-  float rise(const Rgb8& value, std::size_t c) const { return float(value[c] - start_[c]); }
-
   Rgb8 start_;
-  float margin_;
-  std::array<float, 3> low_{-kUnbounded, -kUnbounded, -kUnbounded};
-  std::array<float, 3> high_{kUnbounded, kUnbounded, kUnbounded};
+  bool empty_ = false;
+  Sums margin_, low_, high_;
 };
 
 class GreedyRule {
@@ -86,8 +97,7 @@ class GreedyRule {
     ends_.clear();
     Corridor corridor(values[0], max_error_);
     for (std::size_t end = 1; end < values.size() && !corridor.empty(); ++end) {
-      if (corridor.holds(values[end], per_layer_[end])) ends_.push_back(end);
-      corridor.narrow(values[end], per_layer_[end]);
+      if (corridor.narrow(values[end], per_layer_[end])) ends_.push_back(end);
     }
     while (!line_is_near(values.first(ends_.back() + 1))) ends_.pop_back();
     return ends_.back();

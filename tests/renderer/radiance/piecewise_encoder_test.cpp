@@ -26,6 +26,14 @@ std::vector<std::uint16_t> kept(const ByteStack& stack, SampleRule rule, int thr
   return encode_piecewise(stack, rule, threshold).layers;
 }
 
+/// Within a RapidCheck property.
+std::vector<Rgb8> any_texel() {
+  const ByteStack stack = any_stack();
+  std::vector<Rgb8> values;
+  for (std::size_t i = 0; i < stack.texels.size(); i += stack.layer_size()) values.push_back(stack.texels[i]);
+  return values;
+}
+
 /// The largest sum over the components of |decoded - true|.
 int max_error(const ByteStack& a, const ByteStack& b) {
   int largest = 0;
@@ -69,6 +77,26 @@ RC_GTEST_PROP(GreedyRule, KeepsItsBound, ()) {
   const int threshold = *rc::gen::element(0, 1, 6, 9, 30);
   const ByteStack decoded = decode_piecewise(encode_piecewise(stack, SampleRule::greedy, threshold));
   RC_ASSERT(max_error(stack, decoded) < std::max(threshold, 1));
+}
+
+bool line_is_near(const std::vector<Rgb8>& values, std::size_t from, std::size_t to, int threshold) {
+  for (std::size_t i = from; i <= to; ++i) {
+    int sum = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      sum +=
+          std::abs(values[i][c] - interpolate(values[from][c], values[to][c], int(i - from), int(to - from)));
+    if (sum >= std::max(threshold, 1)) return false;
+  }
+  return true;
+}
+
+RC_GTEST_PROP(GreedyRule, GoesAsFarAsAnyLineDoes, ()) {
+  const std::vector<Rgb8> values = any_texel();
+  const int threshold = *rc::gen::element(0, 1, 6, 9, 30);
+  const std::vector<std::uint16_t> layers = kept(texel_of(values), SampleRule::greedy, threshold);
+  for (std::size_t s = 0; s + 1 < layers.size(); ++s)
+    for (std::size_t beyond = layers[s + 1] + 1; beyond < values.size(); ++beyond)
+      RC_ASSERT_FALSE(line_is_near(values, layers[s], beyond, threshold));
 }
 
 TEST(PaperRule, KeepsTheKinkItself) {
