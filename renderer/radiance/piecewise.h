@@ -17,9 +17,9 @@ namespace lightbench {
 ///
 ///     (a * (j - k) + b * (k - i) + (j - i) / 2) / (j - i)
 ///
-/// with divisions that drop the remainder: linear, rounded to nearest, halves up. Operands are not negative
-/// and stay below 2^24, so that GLSL's `int`, and even a division of floats, give the same. From the last
-/// kept sample on its colour stays, so that a texel of one colour keeps one sample.
+/// with a division that drops the remainder: linear, rounded to nearest, halves up. No operand is negative
+/// and none reaches 2^24, so that GLSL's `int` gives the same bit for bit. From the last kept sample on its
+/// colour stays, so that a texel of one colour keeps one sample.
 struct PiecewiseStack {
   int width = 0;
   int height = 0;

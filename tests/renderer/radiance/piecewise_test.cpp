@@ -60,14 +60,5 @@ RC_GTEST_PROP(Ramp, IsTheFormulaStepByStep, (Rgb8 a, Rgb8 b)) {
     for (std::size_t c = 0; c < 3; ++c) RC_ASSERT(ramp.component(c) == interpolate(a[c], b[c], at, length));
 }
 
-RC_GTEST_PROP(Piecewise, ADivisionOfFloatsGivesTheSame, (std::uint8_t a, std::uint8_t b)) {
-  const int length = *rc::gen::oneOf(rc::gen::inRange(1, 600), rc::gen::inRange(1, 65536));
-  for (int at = 0; at <= length; ++at) {
-    const int sum = a * (length - at) + b * at + length / 2;
-    RC_ASSERT(sum < 1 << 24);
-    RC_ASSERT(int(float(sum) / float(length)) == interpolate(a, b, at, length));
-  }
-}
-
 }  // namespace
 }  // namespace lightbench
