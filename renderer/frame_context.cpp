@@ -7,6 +7,7 @@
 #include <glad/gl.h>
 
 #include "renderer/gpu_scene.h"
+#include "renderer/radiance/radiance_objects.h"
 #include "renderer/shadow_map.h"
 
 namespace lightbench {
@@ -68,7 +69,7 @@ void FrameContext::add_pass_time(const std::string& name, double seconds) {
 }
 
 void FrameContext::draw_fullscreen(const Framebuffer& target, const Program& program, Blend blend,
-                                   DrawOn where) {
+                                   DrawOn where, int stencil) {
   target.bind();
   program.use();
   glDisable(GL_CULL_FACE);
@@ -84,7 +85,7 @@ void FrameContext::draw_fullscreen(const Framebuffer& target, const Program& pro
   }
   if (where == DrawOn::objects) {
     glEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_EQUAL, 1, 0xff);
+    glStencilFunc(GL_EQUAL, stencil, 0xff);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   } else {
     glDisable(GL_STENCIL_TEST);

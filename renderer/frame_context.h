@@ -16,12 +16,13 @@ namespace lightbench {
 
 class GpuScene;
 struct ShadowTextures;
+class RadianceObjects;
 
 enum class Blend { replace, add };
 enum class DrawOn {
   everything,
   objects
-};  ///< objects: only where the target's stencil says that there is geometry
+};  ///< objects: only where the target's stencil has the value given, 1 where nothing else is said
 
 /// What lives longer than a frame: compiled programs, and the scene on the GPU.
 struct GpuState {
@@ -31,6 +32,7 @@ struct GpuState {
   ProgramCache programs;
   VertexArray no_vertices;  ///< of full-screen passes
   std::unique_ptr<ShadowTextures> shadow_textures;
+  std::unique_ptr<RadianceObjects> radiance_objects;  ///< null until a technique needs them
 };
 
 /// What a technique draws one frame with. Sizes are those drawn: the request's times its samples; `Renderer`
@@ -47,6 +49,7 @@ class FrameContext {
   int height() const { return request_.height * request_.samples; }
   const GpuScene& gpu_scene() const { return *gpu_scene_; }
   ShadowTextures& shadow_textures() { return *gpu_->shadow_textures; }
+  std::unique_ptr<RadianceObjects>& radiance_objects() { return gpu_->radiance_objects; }
 
   const Program& program(const std::string& vertex, const std::string& fragment,
                          const ShaderDefines& defines = {});
@@ -61,7 +64,7 @@ class FrameContext {
   /// Covers the target with one triangle. Sets all state that it depends on; textures and uniforms are the
   /// caller's.
   void draw_fullscreen(const Framebuffer& target, const Program& program, Blend blend = Blend::replace,
-                       DrawOn where = DrawOn::everything);
+                       DrawOn where = DrawOn::everything, int stencil = 1);
 
   /// Whether the request asks for a named buffer.
   bool wants(const std::string& buffer) const { return request_.buffers.contains(buffer); }

@@ -27,6 +27,7 @@ constexpr std::array kFormats{
     FormatRow{TexelFormat::rgba16, GL_RGBA16, 4},
     FormatRow{TexelFormat::r16f, GL_R16F, 1},
     FormatRow{TexelFormat::rg16f, GL_RG16F, 2},
+    FormatRow{TexelFormat::rgb16f, GL_RGB16F, 3},
     FormatRow{TexelFormat::rgba16f, GL_RGBA16F, 4},
     FormatRow{TexelFormat::r32f, GL_R32F, 1},
     FormatRow{TexelFormat::rg32f, GL_RG32F, 2},
@@ -92,7 +93,7 @@ GlTexture::GlTexture(TexelFormat format, int width, int height, Filter filter, W
   set_sampling(id, filter, wrap);
 }
 
-GlTexture GlTexture::array(TexelFormat format, int width, int height, int layers) {
+GlTexture GlTexture::array(TexelFormat format, int width, int height, int layers, Filter filter) {
   GlTexture texture;
   texture.format_ = format;
   texture.width_ = width;
@@ -103,7 +104,7 @@ GlTexture GlTexture::array(TexelFormat format, int width, int height, int layers
   texture.handle_ = GlHandle<delete_texture>(id);
   glTextureStorage3D(id, 1, row(format).internal, width, height, layers);
   throw_if_out_of_memory(fmt::format("a texture of {} x {} x {} texels", width, height, layers));
-  set_sampling(id, Filter::nearest, Wrap::clamp);
+  set_sampling(id, filter, Wrap::clamp);
   return texture;
 }
 
@@ -119,6 +120,13 @@ void GlTexture::upload(const Image& pixels) {
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glTextureSubImage2D(id(), 0, 0, 0, width_, height_, transfer_format(format_, pixels.channels), GL_FLOAT,
                       flipped(pixels.data, height_).data());
+}
+
+void GlTexture::upload_layer(int layer, std::span<const std::array<std::uint16_t, 3>> texels) {
+  assert(format_ == TexelFormat::rgb16f && layer < layers_ &&
+         texels.size() == std::size_t(width_) * std::size_t(height_));
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage3D(id(), 0, 0, 0, layer, width_, height_, 1, GL_RGB, GL_HALF_FLOAT, texels.data());
 }
 
 void GlTexture::bind(unsigned unit) const {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -17,6 +19,7 @@ enum class TexelFormat {
   rg16,  ///< unsigned normalised
   rgba16,
   r16f,
+  rgb16f,
   rg16f,
   rgba16f,
   r32f,
@@ -59,7 +62,8 @@ class GlTexture {
   GlTexture() = default;
   GlTexture(TexelFormat format, int width, int height, Filter filter = Filter::nearest,
             Wrap wrap = Wrap::clamp);
-  static GlTexture array(TexelFormat format, int width, int height, int layers);
+  static GlTexture array(TexelFormat format, int width, int height, int layers,
+                         Filter filter = Filter::nearest);
 
   unsigned id() const { return handle_.id(); }
   int width() const { return width_; }
@@ -70,6 +74,8 @@ class GlTexture {
   void upload(
       const std::vector<std::uint16_t>& texels);  ///< RGBA, normalised, row 0 on top: v = 1 is the top
   void upload(const Image& pixels);  ///< float, as many components as the format has, row 0 on top
+  /// One layer of an array of rgb16f: the bits of halves, OpenGL's row 0 first.
+  void upload_layer(int layer, std::span<const std::array<std::uint16_t, 3>> texels);
   void bind(unsigned unit) const;
 
  private:

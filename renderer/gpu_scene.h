@@ -46,6 +46,7 @@ class GpuScene {
   /// Puts the entities of the scene that it was made from where they stand now.
   void place(const Scene& scene);
 
+  const GlTexture& texture(TextureIndex index) const { return textures_[std::size_t(index)]; }
   const Bounds& bounds() const { return bounds_; }  ///< in world space
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <set>
 #include <span>
@@ -20,8 +21,9 @@ struct FrameRequest {
   const View& view;
   int width = 1024;
   int height = 768;
-  int samples = 1;                ///< supersampling per axis, box-filtered in linear light
-  std::set<std::string> buffers;  ///< named buffers wanted besides the image
+  int samples = 1;                   ///< supersampling per axis, box-filtered in linear light
+  std::set<std::string> buffers;     ///< named buffers wanted besides the image
+  std::filesystem::path baked = {};  ///< folder of the objects' files, for techniques that need a bake
 };
 
 struct PassTime {
@@ -54,8 +56,9 @@ struct Technique {
   /// How many of indirect light it shows with these parameters; none where null.
   int (*bounces)(const ParamValues& params) = nullptr;
   bool needs_gl = true;
-  bool offline = false;  ///< traces paths: no technique for real time, but what these could reach
-  bool limited = false;  ///< offline, and leaves out more light than that of further bounces: no ceiling
+  bool needs_bake = false;  ///< draws what was baked for each object (renderer/radiance/object_bake.h)
+  bool offline = false;     ///< traces paths: no technique for real time, but what these could reach
+  bool limited = false;     ///< offline, and leaves out more light than that of further bounces: no ceiling
   /// Why it cannot render this scene with these parameters; empty when it can.
   std::vector<std::string> (*unsupported)(const Scene& scene, const ParamValues& params) = nullptr;
   void (*render)(FrameContext& frame, const ParamValues& params) = nullptr;

@@ -11,12 +11,13 @@
 #include "renderer/techniques/isr.h"
 #include "renderer/techniques/isr_oracle.h"
 #include "renderer/techniques/path_tracer.h"
+#include "renderer/techniques/surface_radiance.h"
 
 namespace lightbench {
 
 std::span<const Technique> techniques() {
   static const std::array table{
-      direct_technique(),  isr_technique(),         isr_oracle_technique(),
+      direct_technique(),  isr_technique(),         isr_oracle_technique(), surface_radiance_technique(),
       ambient_technique(), path_tracer_technique(), images_technique(),
   };
   return table;

@@ -18,8 +18,7 @@
 namespace lightbench {
 namespace {
 
-constexpr int kBlock = 64;             // texels whose rays are traced together
-constexpr float kLargestHalf = 65504;  // what is brighter is kept as that
+constexpr int kBlock = 64;  // texels whose rays are traced together
 constexpr float kFaintest =
     1e-5f;  // highlights below are left out: a fiftieth of the smallest step of 8 bits
 
@@ -110,7 +109,7 @@ class BlockBaker {
 UInt8 BlockBaker::seeds(int packet) const {
   UInt8 seeds{};
   for (int lane = 0; lane < kLanes; ++lane)
-    seeds[lane] = hash_pair(setting_.seed, texel(std::min(kLanes * packet + lane, count_ - 1)).place);
+    seeds[lane] = hash_pair(setting_.seed, texel(std::min(kLanes * packet + lane, count_ - 1)).number);
   return seeds;
 }
 

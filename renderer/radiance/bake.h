@@ -28,7 +28,8 @@ struct BakeOptions {
 
 /// A texel whose radiance is traced.
 struct BakeTexel {
-  std::uint32_t place;  ///< in a layer: y * width + x
+  std::uint32_t place;   ///< in a layer: y * width + x
+  std::uint32_t number;  ///< what its random choices follow from
   MeshPoint point;
   Side side;
 };

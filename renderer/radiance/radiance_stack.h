@@ -25,6 +25,9 @@ struct RadianceStack {
   }
 };
 
+/// What is brighter than a half can tell is kept as this.
+inline constexpr float kLargestHalf = 65504;
+
 /// 16-bit floats: linear radiance over `scale`, not clamped. The bits are those of IEEE binary16.
 using HalfStack = RadianceStack<std::uint16_t>;
 /// sRGB-encoded, 0..255, of radiance over `scale`, clamped to 1.

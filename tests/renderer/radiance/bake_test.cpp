@@ -61,7 +61,8 @@ HalfStack baked(const Scene& scene, const std::vector<MeshPoint>& points, const 
   HalfStack stack{int(points.size()), 1, options.grid, 1, {}};
   stack.texels.resize(points.size() * std::size_t(options.grid.layers()));
   std::vector<BakeTexel> texels;
-  for (std::size_t i = 0; i < points.size(); ++i) texels.push_back({std::uint32_t(i), points[i], side});
+  for (std::size_t i = 0; i < points.size(); ++i)
+    texels.push_back({std::uint32_t(i), std::uint32_t(i), points[i], side});
   bake_texels(PathScene(scene), 0, texels, options, stack);
   return stack;
 }
@@ -152,7 +153,7 @@ TEST(Bake, GathersBouncesAsThePathTracerDoes) {
   options.bounce_samples = 4096;
   HalfStack stack{1, 1, options.grid, 1, std::vector<std::array<std::uint16_t, 3>>(2)};
   // The middle of a triangle of the wall at x = -1.99, whose normals point out of the room.
-  const BakeTexel texel{0, {0, 1.0f / 3, 1.0f / 3}, Side::back};
+  const BakeTexel texel{0, 0, {0, 1.0f / 3, 1.0f / 3}, Side::back};
   bake_texels(PathScene(scene), 1, std::span(&texel, 1), options, stack);
   const glm::vec3 point =
       glm::vec3(-1.99f, -2, -2) + (2.0f / 3) * glm::vec3(0, 0, 4) + (1.0f / 3) * glm::vec3(0, 4, 0);
@@ -208,7 +209,7 @@ TEST(Bake, TellsOfRaysAndNoise) {
   BakeOptions options;
   options.grid = {2, 1};
   HalfStack stack{1, 1, options.grid, 1, std::vector<std::array<std::uint16_t, 3>>(2)};
-  const BakeTexel texel{0, floor_at(0, 0), Side::front};
+  const BakeTexel texel{0, 0, floor_at(0, 0), Side::front};
   BakeNews news = bake_texels(PathScene(scene), 0, std::span(&texel, 1), options, stack);
   EXPECT_EQ(news.noise, 0) << "fixed light points have none";
   EXPECT_EQ(news.rays[0].rays, 9u);

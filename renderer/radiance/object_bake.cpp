@@ -1,0 +1,172 @@
+#include "renderer/radiance/object_bake.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <glm/gtc/packing.hpp>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "base/text.h"
+#include "renderer/radiance/bake.h"
+
+namespace lightbench {
+namespace {
+
+// How far texels on the edge of a chart are moved into it, in texels: they must not look behind a wall that
+// stands there, and what they show must stay that of the edge.
+constexpr float kInset = 0.1f;
+
+const Mesh& mesh_of(const Scene& scene, std::size_t entity) {
+  return scene.meshes[std::size_t(scene.entities[entity].mesh)];
+}
+
+double world_area(const Scene& scene, std::size_t entity) {
+  const Mesh& mesh = mesh_of(scene, entity);
+  const glm::dmat4 transform(scene.entities[entity].transform);
+  const auto at = [&](std::uint32_t vertex) {
+    return glm::dvec3(transform * glm::dvec4(mesh.positions[vertex], 1));
+  };
+  double area = 0;
+  for (const glm::uvec3& t : mesh.triangles)
+    area += glm::length(glm::cross(at(t.y) - at(t.x), at(t.z) - at(t.x))) / 2;
+  return area;
+}
+
+const NamedSize* given_size(const Scene& scene, std::size_t entity, const BakeSettings& settings) {
+  for (const NamedSize& named : settings.sizes)
+    if (matches_glob(scene.entities[entity].name, named.pattern)) return &named;
+  return nullptr;
+}
+
+double density(const Scene& scene, const BakeSettings& settings) {
+  if (settings.density > 0) return settings.density;
+  double area = 0;
+  for (const std::size_t entity : objects_to_bake(scene))
+    if (!given_size(scene, entity, settings)) area += world_area(scene, entity);
+  return area > 0 ? std::sqrt(settings.texels / area) : 1;
+}
+
+using HalfTexel = std::array<std::uint16_t, 3>;
+
+glm::vec3 unpacked(const HalfTexel& texel) {
+  return {glm::unpackHalf1x16(texel[0]), glm::unpackHalf1x16(texel[1]), glm::unpackHalf1x16(texel[2])};
+}
+HalfTexel packed(const glm::vec3& v) {
+  const glm::vec3 c = glm::clamp(v, 0.0f, kLargestHalf);
+  return {glm::packHalf1x16(c.x), glm::packHalf1x16(c.y), glm::packHalf1x16(c.z)};
+}
+
+/// Each layer's gutters; light that extrapolation makes negative is none.
+void fill_gutters(const ChartAtlas& atlas, HalfStack& stack) {
+  for (int layer = 0; layer < stack.grid.layers(); ++layer) {
+    const auto texel = [&](const glm::ivec2& place) -> HalfTexel& {
+      return stack.texels[stack.index(place.x, place.y, layer)];
+    };
+    const auto value = [&](std::uint32_t i) { return unpacked(texel(atlas.surface[i].place)); };
+    for (const GutterTexel& gutter : atlas.gutters)
+      texel(gutter.place) = packed(value(gutter.a) + value(gutter.b) - value(gutter.c));
+  }
+}
+
+bool is_dark(const HalfStack& stack) {
+  return std::ranges::all_of(stack.texels, [](const HalfTexel& t) { return t == HalfTexel{}; });
+}
+
+/// Layer by layer the front, then the back.
+void append_back(HalfStack& front, const HalfStack& back) {
+  std::vector<HalfTexel> both;
+  both.reserve(front.texels.size() + back.texels.size());
+  const auto size = std::ptrdiff_t(front.layer_size());
+  for (int layer = 0; layer < front.grid.layers(); ++layer)
+    for (HalfStack const* side : {&std::as_const(front), &back}) {
+      const auto first = side->texels.begin() + layer * size;
+      both.insert(both.end(), first, first + size);
+    }
+  front.texels = std::move(both);
+  front.height *= 2;
+}
+
+void add(BakeNews& sum, const BakeNews& news) {
+  for (std::size_t i = 0; i < sum.rays.size(); ++i) {
+    sum.rays[i].rays += news.rays[i].rays;
+    sum.rays[i].seconds += news.rays[i].seconds;
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> objects_to_bake(const Scene& scene) {
+  std::vector<std::size_t> objects;
+  for (std::size_t i = 0; i < scene.entities.size(); ++i)
+    if (!mesh_of(scene, i).triangles.empty()) objects.push_back(i);
+  return objects;
+}
+
+std::vector<double> expected_texels(const Scene& scene, const BakeSettings& settings) {
+  const double along = density(scene, settings);
+  std::vector<double> texels;
+  for (const std::size_t entity : objects_to_bake(scene)) {
+    const NamedSize* given = given_size(scene, entity, settings);
+    texels.push_back(given ? double(given->size.x) * given->size.y
+                           : along * along * world_area(scene, entity));
+  }
+  return texels;
+}
+
+std::string object_file_stem(const Scene& scene, std::size_t entity) {
+  return fmt::format("{:04}-{}", entity, escape_file_name(scene.entities[entity].name));
+}
+
+ChartAtlas object_atlas(const Scene& scene, std::size_t entity, const BakeSettings& settings) {
+  const NamedSize* given = given_size(scene, entity, settings);
+  const AtlasSize size = given ? AtlasSize(given->size) : TexelsPerUnit{float(density(scene, settings))};
+  return make_chart_atlas(mesh_of(scene, entity), scene.entities[entity].transform, size, settings.uvs,
+                          fmt::format("object '{}' of {}", scene.entities[entity].name, scene.name));
+}
+
+struct ObjectBaker::Impl {
+  explicit Impl(const Scene& scene) : paths(scene) {}
+  PathScene paths;
+};
+
+ObjectBaker::ObjectBaker(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
+ObjectBaker::~ObjectBaker() = default;
+
+ObjectBake ObjectBaker::bake(std::size_t entity, const BakeSettings& settings,
+                             const std::function<void(double)>& progress) const {
+  const ChartAtlas atlas = object_atlas(impl_->paths.scene, entity, settings);
+  const auto side = [&](Side which, double begin) {
+    ObjectBake result;
+    result.stack = {atlas.width, atlas.height, settings.trace.grid, 1, {}};
+    result.stack.texels.resize(result.stack.layer_size() * std::size_t(settings.trace.grid.layers()));
+    std::vector<BakeTexel> texels;
+    texels.reserve(atlas.surface.size());
+    for (const SurfaceTexel& texel : atlas.surface) {
+      const SurfaceTexel from = inset(atlas, texel, kInset);
+      const int row = texel.place.y + (which == Side::back ? atlas.height : 0);
+      texels.push_back({std::uint32_t(texel.place.y * atlas.width + texel.place.x),
+                        std::uint32_t(row * atlas.width + texel.place.x),
+                        {from.triangle, from.beta, from.gamma},
+                        which});
+    }
+    const auto half = [&](double share) { progress(begin + share / 2); };
+    result.news = bake_texels(impl_->paths, entity, texels, settings.trace, result.stack,
+                              progress ? std::function<void(double)>(half) : nullptr);
+    fill_gutters(atlas, result.stack);
+    return result;
+  };
+  ObjectBake result = side(Side::front, 0);
+  result.texels = atlas.surface.size();
+  const ObjectBake back = side(Side::back, 0.5);
+  if (!is_dark(back.stack)) {
+    append_back(result.stack, back.stack);
+    result.news.noise = std::max(result.news.noise, back.news.noise);
+  }
+  add(result.news, back.news);
+  return result;
+}
+
+}  // namespace lightbench

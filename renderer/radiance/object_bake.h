@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "renderer/radiance/bake_settings.h"
+#include "renderer/radiance/chart_atlas.h"
+#include "scene/scene.h"
+
+namespace lightbench {
+
+/// The texels of an entity's surface: an atlas for the front; a stack of twice its height holds the back
+/// below it, in the same places.
+ChartAtlas object_atlas(const Scene& scene, std::size_t entity, const BakeSettings& settings);
+
+/// Those that have triangles.
+std::vector<std::size_t> objects_to_bake(const Scene& scene);
+
+/// How many texels each of them will have, about.
+std::vector<double> expected_texels(const Scene& scene, const BakeSettings& settings);
+
+/// The name of an object's files in a folder of them, without extension: its number and its name, escaped.
+std::string object_file_stem(const Scene& scene, std::size_t entity);
+
+struct ObjectBake {
+  HalfStack stack;  ///< of one side where nothing leaves the back
+  BakeNews news;
+  std::size_t texels = 0;  ///< that were traced, of one side
+};
+
+/// Bakes objects of one scene, which must not change meanwhile.
+class ObjectBaker {
+ public:
+  explicit ObjectBaker(const Scene& scene);
+  ~ObjectBaker();
+
+  /// Throws Error where the texels do not fit.
+  ObjectBake bake(std::size_t entity, const BakeSettings& settings,
+                  const std::function<void(double)>& progress = nullptr) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace lightbench

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+
+#include "base/params.h"
+#include "renderer/gl_framebuffer.h"
+#include "renderer/gl_objects.h"
+#include "renderer/gl_program.h"
+#include "renderer/radiance/direction_grid.h"
+#include "scene/scene.h"
+
+namespace lightbench {
+
+/// What a shader reads to know an object's radiance.
+class RadianceTextures {
+ public:
+  virtual ~RadianceTextures() = default;
+  /// Binds textures from unit 2 on and sets what techniques/surface_radiance/codec.glsl asks for.
+  virtual void bind(const Program& program) const = 0;
+  virtual std::size_t bytes() const = 0;  ///< that it takes up, as OpenGL was asked for
+};
+
+/// A baked object on the GPU.
+struct RadianceObject {
+  int entity;
+  glm::dmat4 world_from_object;
+  Buffer positions, normals, uvs, texels;
+  VertexArray vertices;  ///< three for each triangle; wound so that the front is what OpenGL takes for it
+  struct Range {
+    int first, count;     ///< vertices
+    TextureIndex cutout;  ///< or kNoTexture
+  };
+  std::vector<Range> ranges;
+  int width, height;  ///< of the texture, all sides together
+  int sides;
+  float scale;  ///< the radiance that stands for 1
+  std::unique_ptr<RadianceTextures> textures;
+};
+
+/// All baked objects of a scene, with their files read and uploaded.
+class RadianceObjects {
+ public:
+  /// From the files in a folder that go with the technique's parameters. Throws Error where one is missing or
+  /// does not fit the scene, and when OpenGL is out of memory.
+  RadianceObjects(const Scene& scene, const std::filesystem::path& folder, const ParamValues& params);
+
+  /// Whether these were read from there for such parameters.
+  bool are(const std::filesystem::path& folder, const ParamValues& params) const;
+  const std::vector<RadianceObject>& objects() const { return objects_; }
+  const DirectionGrid& grid() const { return grid_; }
+
+ private:
+  std::string key_;
+  DirectionGrid grid_;
+  std::vector<RadianceObject> objects_;
+};
+
+}  // namespace lightbench

@@ -1,0 +1,15 @@
+// What leaves a place of the texture in a direction: linear, over `scale`. The texel's chart ends in gutters, so that
+// bilinear reads never leave it.
+
+#ifdef CODEC_RAW
+layout(binding = 2) uniform sampler2DArray layers;
+
+vec3 radiance(vec2 texel, NearestDirections near) {
+  vec2 at = texel / vec2(size);
+  vec3 lower = mix(texture(layers, vec3(at, layer_of(near.theta.x, near.phi.x))).rgb,
+                   texture(layers, vec3(at, layer_of(near.theta.x, near.phi.y))).rgb, near.part.y);
+  vec3 upper = mix(texture(layers, vec3(at, layer_of(near.theta.y, near.phi.x))).rgb,
+                   texture(layers, vec3(at, layer_of(near.theta.y, near.phi.y))).rgb, near.part.y);
+  return mix(lower, upper, near.part.x);
+}
+#endif
