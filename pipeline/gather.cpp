@@ -127,12 +127,14 @@ class Gatherer {
         return add_image(i);
       case TaskKind::score:
         return add_score(i);
+      case TaskKind::bake:
       case TaskKind::export_:
-        return;  // told with the reference that needs it
+        return;  // told with the image that needs it
     }
   }
 
-  /// An image that was not made because its export failed has failed as well: it is the row that people see.
+  /// An image that was not made because its export or bake failed has failed as well: it is the row that
+  /// people see.
   Outcome outcome_of(std::size_t i) const {
     switch (outcomes_[i].state) {
       case TaskState::done:
@@ -144,11 +146,11 @@ class Gatherer {
         break;
     }
     const auto& deps = plan_.tasks[i].deps;
-    const bool export_failed = plan_.tasks[i].kind == TaskKind::reference &&
-                               std::any_of(deps.begin(), deps.end(), [&](std::size_t dep) {
-                                 return outcomes_[dep].state == TaskState::failed;
-                               });
-    return export_failed ? Outcome::failed : Outcome::skipped;
+    const bool failed_before =
+        (plan_.tasks[i].kind == TaskKind::reference || plan_.tasks[i].kind == TaskKind::snapshot) &&
+        std::any_of(deps.begin(), deps.end(),
+                    [&](std::size_t dep) { return outcomes_[dep].state == TaskState::failed; });
+    return failed_before ? Outcome::failed : Outcome::skipped;
   }
 
   void add_image(std::size_t i) {

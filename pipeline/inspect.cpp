@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "pipeline/concrete.h"
 #include "pipeline/snapshot.h"
+#include "renderer/radiance/object_bake.h"
 #include "renderer/rays.h"
 #include "renderer/renderer.h"
 #include "renderer/techniques/images.h"
@@ -38,6 +39,17 @@ void inspect_exports(const Job& job, const JobScene& job_scene, Scene& scene, Sc
   }
 }
 
+void inspect_objects(const Job& job, const Scene& scene, SceneFacts& facts) {
+  facts.texels.resize(job.variants.size());
+  for (std::size_t v = 0; v < job.variants.size(); ++v) {
+    if (!find_technique(job.variants[v].technique, "").needs_bake) continue;
+    facts.texels[v] = expected_texels(scene, bake_settings(variant_params(job.variants[v])));
+    if (!facts.objects.empty()) continue;
+    for (const std::size_t entity : objects_to_bake(scene))
+      facts.objects.push_back({int(entity), scene.entities[entity].name, object_file_stem(scene, entity)});
+  }
+}
+
 SceneFacts inspect_scene(const Job& job, const JobScene& job_scene) {
   SceneFacts facts;
   try {
@@ -53,6 +65,7 @@ SceneFacts inspect_scene(const Job& job, const JobScene& job_scene) {
                                       ? technique.unsupported(scene, variant_params(variant))
                                       : std::vector<std::string>());
     }
+    inspect_objects(job, scene, facts);
     inspect_exports(job, job_scene, scene, facts);
   } catch (const Error& error) {
     facts = SceneFacts();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,6 +12,8 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "pipeline/concrete.h"
+#include "renderer/path_tracer.h"
+#include "renderer/radiance/bake_settings.h"
 #include "renderer/technique.h"
 #include "reports/metric.h"
 
@@ -19,6 +22,7 @@ namespace {
 
 /// Raised when a task's outputs change though nothing else in its key does.
 constexpr int kSnapshotVersion = 1;
+constexpr int kBakeTaskVersion = 1;
 constexpr int kReferenceVersion = 1;
 constexpr int kScoreVersion = 1;
 
@@ -27,6 +31,9 @@ constexpr double kSnapshotSeconds = 0.6;
 constexpr double kPathSeconds = 20;
 constexpr double kRadiositySeconds = 15;
 constexpr double kScoreSeconds = 0.25;
+constexpr double kTexelSeconds = 2e-5;  // with 72 light points
+constexpr double kPathOfTexelSeconds = 1e-6;
+constexpr double kBytesOfRadiance = 14;  // of a texel in a direction: as it is read, and on the GPU
 constexpr double kTaskTimeout = 1800;
 
 std::string vec_text(const glm::vec3& v) {
@@ -81,6 +88,7 @@ class Planner {
   void add_scene(int scene) {
     const auto& views = views_of(job().scenes[std::size_t(scene)]);
     shared_exports_.clear();
+    bakes_.clear();
     std::vector<ViewTasks> tasks(views.size());
     for (std::size_t view = 0; view < views.size(); ++view) {
       auto& [snapshots, references] = tasks[view];
@@ -129,6 +137,58 @@ class Planner {
     for (const auto& [name, hash] : facts.files) parts.emplace_back("file " + name, hash);
   }
 
+  /// The bakes of all objects that a variant draws; variants that bake alike share them.
+  const std::vector<std::size_t>& bakes(int scene, int variant_index) {
+    const JobVariant& variant = job().variants[std::size_t(variant_index)];
+    const std::string folder = baked_folder(job(), scene, variant);
+    const auto [found, added] = bakes_.try_emplace(folder);
+    const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
+    if (added)
+      for (std::size_t i = 0; i < facts.objects.size(); ++i)
+        found->second.push_back(add_bake(scene, variant_index, i, folder));
+    return found->second;
+  }
+
+  std::size_t add_bake(int scene, int variant_index, std::size_t object, const std::string& folder) {
+    const JobVariant& variant = job().variants[std::size_t(variant_index)];
+    const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
+    const ObjectFacts& baked = facts.objects[object];
+    Task task = start_task(TaskKind::bake, scene, kNone, {variant.name, baked.file_stem});
+    task.variant = variant_index;
+    task.object = baked.entity;
+    task.key_parts = {{"version", fmt::format("{} {}", kBakeTaskVersion, kBakeVersion)},
+                      {"embree", path_tracer_version()}};
+    add_files(task.key_parts, facts);
+    const ParamValues params = variant_params(variant);
+    task.key_parts.emplace_back("object", std::to_string(baked.entity));
+    task.key_parts.emplace_back("parameters", bake_params_text(params));
+    task.outputs = {folder + "/" + baked.file_stem + ".mtex"};
+    task.group = "scene " + std::to_string(scene);
+    const double texels = facts.texels[std::size_t(variant_index)][object];
+    const BakeSettings settings = bake_settings(params);
+    const double paths = settings.trace.bounces > 0 ? settings.trace.bounce_samples : 0;
+    task.expected_seconds = texels * (kTexelSeconds + paths * settings.trace.bounces * kPathOfTexelSeconds);
+    task.timeout_seconds = std::max(kTaskTimeout, 20 * task.expected_seconds);
+    task.resources.memory_mb = int(200 + texels * settings.trace.grid.layers() * kBytesOfRadiance / 1e6 +
+                                   double(facts.triangles) / 1000);
+    return finish_task(std::move(task));
+  }
+
+  /// Has the snapshot wait for what it draws.
+  void need_bakes(Task& task, int scene, int variant_index) {
+    const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
+    if (!facts.error.empty()) return;
+    task.deps = bakes(scene, variant_index);
+    std::vector<std::string> keys;
+    for (const std::size_t dep : task.deps) keys.push_back(plan_.tasks[dep].key);
+    task.key_parts.emplace_back("baked", join(keys, " "));
+    const auto& texels = facts.texels[std::size_t(variant_index)];
+    const DirectionGrid grid =
+        bake_settings(variant_params(job().variants[std::size_t(variant_index)])).trace.grid;
+    task.resources.memory_mb +=
+        int(std::accumulate(texels.begin(), texels.end(), 0.0) * grid.layers() * kBytesOfRadiance / 1e6);
+  }
+
   std::size_t add_snapshot(int scene, int view, int variant_index) {
     const JobVariant& variant = job().variants[std::size_t(variant_index)];
     const Technique& technique = find_technique(variant.technique, "");
@@ -159,6 +219,7 @@ class Planner {
     task.resources.memory_mb = int(200 + 300 * megapixels() + double(facts.triangles) / 2000);
     if (task.refused.empty() && !facts.unsupported.empty())
       task.refused = join(facts.unsupported[std::size_t(variant_index)], "; ");
+    if (technique.needs_bake && task.refused.empty()) need_bakes(task, scene, variant_index);
     return finish_task(std::move(task));
   }
 
@@ -297,12 +358,13 @@ class Planner {
   const PlanFacts& facts_;
   Plan plan_;
   std::map<std::string, std::size_t> shared_exports_;
+  std::map<std::string, std::vector<std::size_t>> bakes_;  ///< of the scene, by folder
 };
 
 }  // namespace
 
 const std::vector<std::string>& task_kind_names() {
-  static const std::vector<std::string> names = {"snapshot", "export", "reference", "score"};
+  static const std::vector<std::string> names = {"bake", "snapshot", "export", "reference", "score"};
   return names;
 }
 

@@ -11,7 +11,7 @@
 
 namespace lightbench {
 
-enum class TaskKind { snapshot, export_, reference, score };
+enum class TaskKind { bake, snapshot, export_, reference, score };
 
 const std::vector<std::string>& task_kind_names();
 std::string to_text(TaskKind kind);
@@ -39,6 +39,7 @@ struct Task {
   int view = kNone;  ///< kNone: an export's files that all views share
   int variant = kNone;
   int reference = kNone;
+  int object = kNone;  ///< of a bake: an entity of the scene
   Resources resources;
   double expected_seconds = 0;
   double timeout_seconds = 0;
@@ -55,6 +56,13 @@ struct Plan {
   std::vector<Task> tasks;
 };
 
+/// An entity whose radiance is baked.
+struct ObjectFacts {
+  int entity = 0;
+  std::string name;
+  std::string file_stem;  ///< of its files in a folder of baked objects
+};
+
 /// What planning needs to know of a scene and its files.
 struct SceneFacts {
   std::string error;  ///< why it cannot be used; then the rest is empty
@@ -64,6 +72,8 @@ struct SceneFacts {
   std::vector<Credit> credits;
   KeyParts files;                                     ///< name and hash of everything that was read
   std::vector<std::vector<std::string>> unsupported;  ///< [variant]: why its technique cannot show it
+  std::vector<ObjectFacts> objects;                   ///< where a variant needs a bake
+  std::vector<std::vector<double>> texels;     ///< [variant][object]: how many are baked, about; or empty
   std::vector<std::vector<KeyParts>> exports;  ///< [reference][view]; no views where nothing is exported
   std::map<std::string, std::vector<std::string>> kind_warnings;  ///< by reference kind
 };
@@ -92,6 +102,8 @@ std::string score_stem(const Job& job, int scene, int view, const std::string& v
 /// A named buffer's files, without extension.
 std::string buffer_stem(const Job& job, int scene, int view, const std::string& variant,
                         const std::string& buffer);
+/// The folder of a scene's baked objects, for variants that bake alike.
+std::string baked_folder(const Job& job, int scene, const JobVariant& variant);
 /// The folder of a scene's files for a reference kind.
 std::string shared_export_folder(const Job& job, int scene, const std::string& kind);
 /// The baseline's buffer that ambient light is fitted with; empty where no metric of the job needs it, or its

@@ -23,6 +23,7 @@ Json task_json(const Task& task, const std::vector<Task>& tasks) {
   json["view"] = task.view;
   json["variant"] = task.variant;
   json["reference"] = task.reference;
+  json["object"] = task.object;
   json["resources"] = {
       {"cores", task.resources.cores}, {"gpu", task.resources.gpu}, {"memory_mb", task.resources.memory_mb}};
   json["expected_seconds"] = task.expected_seconds;
@@ -53,6 +54,7 @@ Task task_of(const Json& json, const std::map<std::string, std::size_t>& index) 
   task.view = json.at("view").get<int>();
   task.variant = json.at("variant").get<int>();
   task.reference = json.at("reference").get<int>();
+  task.object = json.at("object").get<int>();
   task.resources.cores = json.at("resources").at("cores").get<int>();
   task.resources.gpu = json.at("resources").at("gpu").get<int>();
   task.resources.memory_mb = json.at("resources").at("memory_mb").get<int>();

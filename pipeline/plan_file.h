@@ -7,7 +7,7 @@
 
 namespace lightbench {
 
-inline constexpr int kPlanFormatVersion = 1;
+inline constexpr int kPlanFormatVersion = 2;
 
 /// The plan as versioned JSON, for workers and for people; and back.
 std::string plan_to_json(const Plan& plan);

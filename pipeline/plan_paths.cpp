@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include "base/files.h"
+#include "base/hash.h"
 #include "pipeline/concrete.h"
 #include "pipeline/plan.h"
+#include "renderer/radiance/bake_settings.h"
 #include "renderer/technique.h"
 #include "reports/metric.h"
 
@@ -42,6 +44,12 @@ std::string buffer_stem(const Job& job, int scene, int view, const std::string& 
 
 std::string shared_export_folder(const Job& job, int scene, const std::string& kind) {
   return escape_file_name(kind) + "/" + escape_file_name(job.scenes[std::size_t(scene)].name);
+}
+
+std::string baked_folder(const Job& job, int scene, const JobVariant& variant) {
+  Hasher hasher;
+  hasher.field("bake", bake_params_text(variant_params(variant)));
+  return fmt::format("baked/{}/{}", escape_file_name(job.scenes[std::size_t(scene)].name), hasher.digest());
 }
 
 std::string baseline_albedo(const Job& job) {

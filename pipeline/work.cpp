@@ -16,6 +16,8 @@
 #include "pipeline/plan_file.h"
 #include "pipeline/score.h"
 #include "pipeline/snapshot.h"
+#include "renderer/radiance/object_bake.h"
+#include "renderer/radiance/radiance_file.h"
 #include "scene/motion.h"
 #include "scene/scene_file.h"
 
@@ -42,6 +44,7 @@ struct TaskWorker::Impl {
   std::unique_ptr<Renderer> renderer;
   int loaded = kNone;  ///< index of the scene that is loaded
   Scene scene;
+  std::unique_ptr<ObjectBaker> baker;                           ///< of that scene
   std::map<std::string, std::unique_ptr<SceneExport>> exports;  ///< of that scene, by reference kind
 
   const Job& job() const { return plan.job; }
@@ -55,6 +58,7 @@ struct TaskWorker::Impl {
   void load(const Task& task) {
     if (loaded != task.scene) {
       exports.clear();
+      baker.reset();
       renderer.reset();
       loaded = kNone;
       scene = load_scene(job_scene(task).file);
@@ -80,6 +84,7 @@ struct TaskWorker::Impl {
   ImageMetadata fingerprint(const ReferenceKind& kind, const ReferenceRequest& request,
                             const ReferenceImage& made, const Task& task) const;
 
+  TaskResult bake(const Task& task);
   TaskResult snapshot(const Task& task);
   TaskResult export_scene(const Task& task);
   TaskResult reference(const Task& task);
@@ -98,11 +103,30 @@ ImageMetadata TaskWorker::Impl::fingerprint(const ReferenceKind& kind, const Ref
   return metadata;
 }
 
+TaskResult TaskWorker::Impl::bake(const Task& task) {
+  load(task);
+  if (!baker) baker = std::make_unique<ObjectBaker>(scene);
+  const JobVariant& variant = job().variants[std::size_t(task.variant)];
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu_start = own_cpu_seconds();
+  const ObjectBake baked = baker->bake(std::size_t(task.object), bake_settings(variant_params(variant)));
+  TaskResult result;
+  result.seconds = seconds_since(start);
+  result.cpu_seconds = own_cpu_seconds() - cpu_start;
+  result.noise = baked.news.noise;
+  for (const RayRate& rate : baked.news.rays)
+    if (rate.seconds > 0) result.ray_rates[rate.name] = double(rate.rays) / rate.seconds;
+  write_radiance(file(task.outputs.front()), baked.stack);
+  return result;
+}
+
 TaskResult TaskWorker::Impl::snapshot(const Task& task) {
   load(task);
   if (!renderer) renderer = std::make_unique<Renderer>(parse_gl(plan.gl, ""));
   const JobVariant& variant = job().variants[std::size_t(task.variant)];
   FrameRequest request{scene, view(task), job().width, job().height, job().samples, {}};
+  if (find_technique(variant.technique, "").needs_bake)
+    request.baked = file(baked_folder(job(), task.scene, variant));
   const auto buffers = variant_buffers(job(), variant);
   request.buffers.insert(buffers.begin(), buffers.end());
   const auto start = std::chrono::steady_clock::now();
@@ -210,6 +234,9 @@ TaskResult TaskWorker::work(const Task& task) {
   const auto start = std::chrono::steady_clock::now();
   TaskResult result;
   switch (task.kind) {
+    case TaskKind::bake:
+      result = impl_->bake(task);
+      break;
     case TaskKind::snapshot:
       result = impl_->snapshot(task);
       break;

@@ -30,6 +30,7 @@ void add_plan_command(CLI::App& app, Action& action);
 void add_score_command(CLI::App& app, Action& action);
 void add_report_command(CLI::App& app, Action& action);
 void add_bench_command(CLI::App& app, Action& action);
+void add_bake_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
 void add_export_command(CLI::App& app, Action& action);
 void add_reference_command(CLI::App& app, Action& action);

@@ -6,6 +6,7 @@
 #include "base/color.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "pipeline/bake_folder.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/view_options.h"
 #include "pipeline/snapshot.h"
@@ -21,6 +22,7 @@ struct RenderParams {
   std::string technique = "direct";
   std::string preset;
   std::vector<std::string> params;
+  std::string baked;
   std::string output = "out.png";
   std::vector<std::string> buffers;
   std::string gl = "osmesa";
@@ -37,12 +39,22 @@ void write_output(const std::filesystem::path& file, const Image& image) {
   write_png(file, first_channels(to_srgb8(image), 3));
 }
 
+/// Those of the command line; what was baked says how, where nothing else is given.
+GivenParams given_params(const Technique& technique, const RenderParams& params) {
+  GivenParams given = parse_params(technique.params, params.params);
+  if (params.baked.empty()) return given;
+  if (!technique.needs_bake)
+    throw Error("technique '" + technique.name + "' draws nothing that was baked", "--baked");
+  given.merge(read_bake_folder(params.baked).params);
+  return given;
+}
+
 ExitCode run_render(const RenderParams& params) {
   const std::filesystem::path output = params.output;
   check_output(output);
   const Technique& technique = find_technique(params.technique, "--technique");
   const ParamValues values = resolve_params(technique.params, technique.presets, params.preset,
-                                            parse_params(technique.params, params.params), "--preset");
+                                            given_params(technique, params), "--preset");
   const ImageSize size = parse_size(params.view.size);
   Scene scene = load_scene(params.view.scene);
   for (const auto& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
@@ -52,7 +64,8 @@ ExitCode run_render(const RenderParams& params) {
                        size.width,
                        size.height,
                        params.view.samples,
-                       {params.buffers.begin(), params.buffers.end()}};
+                       {params.buffers.begin(), params.buffers.end()},
+                       params.baked};
   Renderer renderer(parse_gl(params.gl, "--gl"));
   const FrameResult frame = renderer.render(technique, values, request);
   for (const auto& warning : frame.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
@@ -85,6 +98,8 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_option("--preset", params->preset, "Named set of parameters (lightbench list params)");
   command->add_option("-p,--param", params->params, "NAME=VALUE; may stand several times")
       ->allow_extra_args(false);
+  command->add_option("--baked", params->baked,
+                      "Folder that 'lightbench bake' made, for technique surface_radiance");
   command->add_option("-o,--output", params->output, ".png (8-bit sRGB) or .exr (linear)")
       ->capture_default_str();
   command

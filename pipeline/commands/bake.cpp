@@ -1,0 +1,147 @@
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "base/files.h"
+#include "pipeline/bake_folder.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/commands/view_options.h"
+#include "pipeline/tables.h"
+#include "renderer/radiance/object_bake.h"
+#include "renderer/radiance/radiance_file.h"
+#include "renderer/techniques/surface_radiance.h"
+#include "scene/scene_file.h"
+
+namespace lightbench {
+namespace {
+
+struct BakeParams {
+  std::string scene;
+  std::string out = "baked";
+  std::vector<std::string> params;
+  int threads = 0;
+};
+
+/// Keeps what an interrupted bake of the same left; anything else must not be mixed with it.
+void prepare_folder(const std::filesystem::path& folder, const BakeFolder& bake) {
+  std::filesystem::create_directories(folder);
+  if (std::filesystem::exists(folder / "bake.json")) {
+    if (read_bake_folder(folder).key != bake.key)
+      throw Error(
+          "holds objects that were baked from another scene or with other parameters: choose another "
+          "folder, or remove it first",
+          folder.string());
+  } else if (!std::filesystem::is_empty(folder)) {
+    throw Error("is not empty, and not a folder that 'lightbench bake' made", folder.string());
+  }
+  write_bake_folder(folder, bake);
+}
+
+/// A line that is written anew, on a terminal only.
+class ProgressLine {
+ public:
+  explicit ProgressLine(const std::string& name) : name_(name), shown_(isatty(STDERR_FILENO) == 1) {}
+  ~ProgressLine() {
+    if (shown_) std::fprintf(stderr, "\r\x1b[K");
+  }
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void operator()(double share) {
+    const int percent = int(100 * share);
+    if (shown_ && percent != last_) std::fprintf(stderr, "\r\x1b[K%s %d %%", name_.c_str(), last_ = percent);
+  }
+
+ private:
+  std::string name_;
+  bool shown_;
+  int last_ = -1;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string tell(const ObjectBake& baked, double seconds) {
+  const HalfStack& stack = baked.stack;
+  double rays = 0;
+  for (const RayRate& rate : baked.news.rays) rays += double(rate.rays);
+  std::string text = fmt::format(
+      "{} x {} texels of {} directions, {} on the surface, {:.1f} s: {:.0f} texels/s, {:.2f} million "
+      "radiance "
+      "samples/s, {:.2f} million rays/s",
+      stack.width, stack.height, stack.grid.layers(), baked.texels, seconds, double(baked.texels) / seconds,
+      double(baked.texels) * stack.grid.layers() / seconds / 1e6, rays / seconds / 1e6);
+  if (baked.news.noise > 0) text += fmt::format(", noise {:.2f} of 255", baked.news.noise);
+  return text;
+}
+
+ExitCode run_bake(const BakeParams& params) {
+  const Technique technique = surface_radiance_technique();
+  const ParamValues values = resolve_params(technique.params, technique.presets, "",
+                                            parse_params(technique.params, params.params), "");
+  BakeSettings settings = bake_settings(values);
+  settings.trace.threads =
+      params.threads > 0 ? params.threads : int(std::max(1u, std::thread::hardware_concurrency()));
+  const Scene scene = load_scene(params.scene);
+  for (const auto& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  if (technique.unsupported)
+    for (const auto& reason : technique.unsupported(scene, values)) throw Error(reason, params.scene);
+  const std::filesystem::path folder = params.out;
+  prepare_folder(folder, bake_folder(scene, values));
+  const ObjectBaker baker(scene);
+  for (const std::size_t entity : objects_to_bake(scene)) {
+    const std::string name = object_file_stem(scene, entity);
+    const std::filesystem::path file = folder / (name + ".mtex");
+    if (std::filesystem::exists(file)) {
+      std::printf("%s: there already\n", name.c_str());
+      continue;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    ObjectBake baked;
+    {
+      ProgressLine line(name);
+      baked = baker.bake(entity, settings, [&](double share) { line(share); });
+    }
+    write_radiance(file, baked.stack);
+    std::printf("%s: %s\n", name.c_str(), tell(baked, seconds_since(start)).c_str());
+    std::fflush(stdout);
+  }
+  std::printf("%s\n", folder.c_str());
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_bake_command(CLI::App& app, Action& action) {
+  CLI::App* command = nullptr;
+  auto params = add_command<BakeParams>(
+      app, "bake", "Trace what leaves a scene's surfaces, for technique surface_radiance", action, run_bake,
+      command);
+  command->add_option("scene", params->scene, "Scene file (.json) or OBJ")->required();
+  command->add_option("-o,--out", params->out, "Folder for the objects' files")->capture_default_str();
+  command
+      ->add_option(
+          "-p,--param", params->params,
+          "NAME=VALUE of technique surface_radiance (lightbench list params); may stand several times")
+      ->allow_extra_args(false);
+  command->add_option("--threads", params->threads, "Threads; 0: one for each core")
+      ->check(CLI::Range(0, 256))
+      ->capture_default_str();
+  command->footer(
+      R"(One file for each object, docs/formats.md; an interrupted bake goes on where it was. In a job, variants of
+technique surface_radiance are baked by themselves.
+
+Examples:
+  lightbench bake room.json -o baked
+  lightbench bake room.json -o baked -p texels=1e6 -p bounces=2 -p 'sizes=floor=512x512, box_*=256x256'
+  lightbench render room.json --cameras room-cameras.json -t surface_radiance --baked baked -o room.png)");
+}
+
+}  // namespace lightbench
