@@ -141,11 +141,11 @@ BakedFile::BakedFile(const fs::path& file, std::string_view kind, const BakedHea
   if (!stream) throw Error("cannot write: " + system_message(), file.string());
 }
 
-BakedReader::BakedReader(const fs::path& file, std::string_view kind)
-    : file_(file), stream_(file, std::ios::binary) {
+BakedReader::BakedReader(const fs::path& file, std::string_view kind) : file_(file) {
   std::error_code error;
   const std::uint64_t size = fs::file_size(file, error);
   if (error) fail("cannot read the file: " + error.message());
+  stream_.open(file, std::ios::binary);
   if (!stream_) fail("cannot read the file: " + system_message());
   HeaderBytes bytes{};
   if (size < bytes.size() || !stream_.read(bytes.data(), bytes.size())) fail("ends within its header");

@@ -22,8 +22,7 @@ void write(const fs::path& file, const RadianceStack<Component>& stack) {
 BakedReader open(const fs::path& file) {
   BakedReader reader(file, kKind);
   const BakedHeader& header = reader.header();
-  if (header.bits != 16) reader.expect_entries(3, 8);
-  if (header.bits == 16) reader.expect_entries(3, 16);
+  reader.expect_entries(3, header.bits == 16 ? 16 : 8);
   if (header.entries != header.values())
     reader.fail(
         fmt::format("holds {} texels, not width * height * depth = {}", header.entries, header.values()));
