@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 
+#include "base/error.h"
 #include "renderer/gl_context.h"
 
 namespace lightbench {
@@ -173,6 +174,35 @@ void Buffer::bind_uniform(unsigned binding) const {
 }
 void Buffer::bind_storage(unsigned binding) const {
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, id());
+}
+
+namespace {
+
+struct BufferFormatRow {
+  GLenum internal;
+  std::size_t bytes;
+};
+// By value of BufferFormat.
+constexpr std::array kBufferFormats{BufferFormatRow{GL_R16UI, 2}, BufferFormatRow{GL_R32UI, 4},
+                                    BufferFormatRow{GL_RGBA8UI, 4}};
+
+}  // namespace
+
+BufferTexture::BufferTexture(BufferFormat format, const void* data, std::size_t entries) {
+  const BufferFormatRow& row = kBufferFormats.at(std::size_t(format));
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &limit);
+  if (entries > std::size_t(limit))
+    throw Error(fmt::format("a buffer of {} entries; OpenGL reads {} here", entries, limit));
+  buffer_ = Buffer(data, entries * row.bytes);
+  GLuint id = 0;
+  glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+  texture_ = GlHandle<delete_texture>(id);
+  glTextureBuffer(id, row.internal, buffer_.id());
+}
+
+void BufferTexture::bind(unsigned unit) const {
+  glBindTextureUnit(unit, texture_.id());
 }
 
 }  // namespace lightbench

@@ -107,4 +107,21 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
+enum class BufferFormat { r16ui, r32ui, rgba8ui };
+
+/// A long row of whole numbers that shaders read with texelFetch from a usamplerBuffer.
+class BufferTexture {
+ public:
+  BufferTexture() = default;
+  /// Throws Error where there are more entries than OpenGL takes.
+  BufferTexture(BufferFormat format, const void* data, std::size_t entries);
+
+  void bind(unsigned unit) const;
+  std::size_t bytes() const { return buffer_.size(); }
+
+ private:
+  Buffer buffer_;
+  GlHandle<delete_texture> texture_;
+};
+
 }  // namespace lightbench

@@ -30,7 +30,7 @@ struct BakeSettings {
 /// Their rows, defaults and what is made of values. Throws Error for sizes that cannot be read.
 std::vector<ParamSpec> bake_params();
 BakeSettings bake_settings(const ParamValues& params);
-/// The part of a variant's parameters that decides a bake, as text.
+/// The part of a variant's parameters that decides a bake, as text: a line for each.
 std::string bake_params_text(const ParamValues& params);
 
 }  // namespace lightbench

@@ -29,6 +29,20 @@ void measure_errors(const ErrorCounts& counts, std::uint64_t values, CodecReport
 
 }  // namespace
 
+std::vector<std::pair<std::string, double>> codec_numbers(const CodecReport& report) {
+  std::vector<std::pair<std::string, double>> numbers{
+      {"width", report.width}, {"height", report.height}, {"raw_bytes", double(report.raw_bytes)}};
+  for (const FileSize& file : report.files) numbers.emplace_back("bytes." + file.name, double(file.bytes));
+  numbers.insert(numbers.end(), {{"ratio", report.ratio},
+                                 {"changed", report.changed},
+                                 {"mean_changed_error", report.mean_changed_error},
+                                 {"error_99", report.error_99},
+                                 {"max_error", report.max_error},
+                                 {"max_component_error", report.max_component_error},
+                                 {"colors", double(report.colors)}});
+  return numbers;
+}
+
 CodecReport report_codec(const ByteStack& original, const ByteStack& decoded, std::vector<FileSize> files) {
   if (original.width != decoded.width || original.height != decoded.height || original.grid != decoded.grid ||
       original.texels.size() != decoded.texels.size())

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "renderer/radiance/radiance_stack.h"
@@ -29,6 +30,9 @@ struct CodecReport {
   int max_component_error = 0;
   std::size_t colors = 0;  ///< distinct ones in the original
 };
+
+/// Its numbers by name: width, height, raw_bytes, bytes.NAME of each file, ratio and so on.
+std::vector<std::pair<std::string, double>> codec_numbers(const CodecReport& report);
 
 /// For any codec. Throws Error unless both stacks have the same size and directions.
 CodecReport report_codec(const ByteStack& original, const ByteStack& decoded, std::vector<FileSize> files);

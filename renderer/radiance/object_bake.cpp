@@ -105,6 +105,17 @@ std::vector<std::size_t> objects_to_bake(const Scene& scene) {
   return objects;
 }
 
+std::vector<std::uint8_t> counting_places(const ChartAtlas& atlas, int height) {
+  std::vector<std::uint8_t> counts(std::size_t(atlas.width) * std::size_t(height));
+  const auto mark = [&](const glm::ivec2& place) {
+    for (int row = place.y; row < height; row += atlas.height)
+      counts[std::size_t(row) * std::size_t(atlas.width) + std::size_t(place.x)] = 1;
+  };
+  for (const SurfaceTexel& texel : atlas.surface) mark(texel.place);
+  for (const GutterTexel& texel : atlas.gutters) mark(texel.place);
+  return counts;
+}
+
 std::vector<double> expected_texels(const Scene& scene, const BakeSettings& settings) {
   const double along = density(scene, settings);
   std::vector<double> texels;

@@ -16,6 +16,9 @@ namespace lightbench {
 /// below it, in the same places.
 ChartAtlas object_atlas(const Scene& scene, std::size_t entity, const BakeSettings& settings);
 
+/// Of each place of a layer of a stack of that height, 1 where the atlas has a texel.
+std::vector<std::uint8_t> counting_places(const ChartAtlas& atlas, int height);
+
 /// Those that have triangles.
 std::vector<std::size_t> objects_to_bake(const Scene& scene);
 

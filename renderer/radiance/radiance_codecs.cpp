@@ -1,49 +1,67 @@
 #include "renderer/radiance/radiance_codecs.h"
 
-#include "renderer/radiance/radiance_file.h"
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "renderer/radiance/piecewise_codec.h"
+#include "renderer/radiance/raw_codec.h"
 
 namespace lightbench {
-namespace {
 
-/// An array with a layer for each direction, filtered over texels by the hardware.
-class RawTextures : public RadianceTextures {
- public:
-  explicit RawTextures(const HalfStack& stack)
-      : layers_(GlTexture::array(TexelFormat::rgb16f, stack.width, stack.height, stack.grid.layers(),
-                                 Filter::linear)) {
-    for (int layer = 0; layer < stack.grid.layers(); ++layer)
-      layers_.upload_layer(
-          layer,
-          std::span(stack.texels).subspan(std::size_t(layer) * stack.layer_size(), stack.layer_size()));
-  }
-  void bind(const Program&) const override { layers_.bind(2); }
-  std::size_t bytes() const override {
-    return std::size_t(layers_.width()) * std::size_t(layers_.height()) * std::size_t(layers_.layers()) * 6;
-  }
+std::span<const RadianceCodec> radiance_codecs() {
+  static const std::array table{raw_codec(), piecewise_codec()};
+  return table;
+}
 
- private:
-  GlTexture layers_;
-};
-
-}  // namespace
+const RadianceCodec& radiance_codec(const ParamValues& params) {
+  return *std::ranges::find(radiance_codecs(), params.text("codec"), &RadianceCodec::name);
+}
 
 std::vector<ParamSpec> codec_params() {
-  return {{"codec",
-           ParamType::choice,
-           std::string("raw"),
-           0,
-           0,
-           {"raw"},
-           "how radiance is kept; raw: 16-bit floats for each direction"}};
+  std::vector<std::string> names;
+  for (const RadianceCodec& codec : radiance_codecs()) names.emplace_back(codec.name);
+  const std::string first = names.front();
+  return {
+      {"codec", ParamType::choice, first, 0, 0, std::move(names),
+       "how radiance is kept; raw: 16-bit floats for each direction; piecewise: 8 bits, some directions of "
+       "each "
+       "texel and lines between them"},
+      {"encoder",
+       ParamType::choice,
+       std::string("greedy"),
+       0,
+       0,
+       {"greedy", "paper"},
+       "of piecewise; greedy: the longest lines that keep the threshold; paper: the rule of the thesis, "
+       "which "
+       "bounds no error"},
+      {"threshold",
+       ParamType::integer,
+       6LL,
+       0,
+       765,
+       {},
+       "of piecewise: the sum of a value's errors over its three components, of 255 each, is below it; 0: "
+       "none"},
+      {"search",
+       ParamType::choice,
+       std::string("once"),
+       0,
+       0,
+       {"once", "binary", "linear"},
+       "of piecewise, for a texel's directions when drawing; linear: from the first one on, as in the "
+       "thesis; "
+       "binary; once: one binary search for two neighbours. All give the same picture"},
+  };
 }
 
-ShaderDefines codec_defines(const ParamValues& params) {
-  return {params.text("codec") == "raw" ? "CODEC_RAW" : ""};
-}
-
-RadianceFile load_radiance(const std::filesystem::path& stem, const ParamValues&) {
-  const HalfStack stack = read_half_radiance(stem.string() + ".mtex");
-  return {stack.width, stack.height, stack.grid, stack.scale, std::make_unique<RawTextures>(stack)};
+std::string codec_params_text(const ParamValues& params) {
+  const RadianceCodec& codec = radiance_codec(params);
+  std::string text = fmt::format("codec={}\n", codec.name);
+  for (const char* name : codec.params) text += fmt::format("{}={}\n", name, to_text(params.all().at(name)));
+  return text;
 }
 
 }  // namespace lightbench

@@ -90,14 +90,10 @@ RadianceObjects::RadianceObjects(const Scene& scene, const std::filesystem::path
   for (const std::size_t entity : objects_to_bake(scene)) {
     const ChartAtlas atlas = object_atlas(scene, entity, settings);
     const std::filesystem::path stem = folder / object_file_stem(scene, entity);
-    RadianceFile file = load_radiance(stem, params);
-    check_fits(file, atlas, grid_, stem.string());
     RadianceObject object = object_of(scene, entity, atlas);
-    object.width = file.width;
-    object.height = file.height;
-    object.sides = file.height / atlas.height;
-    object.scale = file.scale;
-    object.textures = std::move(file.textures);
+    object.file = radiance_codec(params).load(stem, params);
+    check_fits(object.file, atlas, grid_, stem.string());
+    object.sides = object.file.height / atlas.height;
     objects_.push_back(std::move(object));
   }
 }

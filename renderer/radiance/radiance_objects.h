@@ -22,7 +22,14 @@ class RadianceTextures {
   virtual ~RadianceTextures() = default;
   /// Binds textures from unit 2 on and sets what techniques/surface_radiance/codec.glsl asks for.
   virtual void bind(const Program& program) const = 0;
-  virtual std::size_t bytes() const = 0;  ///< that it takes up, as OpenGL was asked for
+};
+
+/// What a codec makes of an object's files.
+struct RadianceFile {
+  int width, height;  ///< of the texture, all sides together
+  DirectionGrid grid;
+  float scale;  ///< the radiance that stands for 1
+  std::unique_ptr<RadianceTextures> textures;
 };
 
 /// A baked object on the GPU.
@@ -36,10 +43,8 @@ struct RadianceObject {
     TextureIndex cutout;  ///< or kNoTexture
   };
   std::vector<Range> ranges;
-  int width, height;  ///< of the texture, all sides together
+  RadianceFile file;
   int sides;
-  float scale;  ///< the radiance that stands for 1
-  std::unique_ptr<RadianceTextures> textures;
 };
 
 /// All baked objects of a scene, with their files read and uploaded.

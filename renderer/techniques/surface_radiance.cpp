@@ -75,7 +75,7 @@ Places draw_places(FrameContext& frame, const RadianceObjects& objects) {
 }
 
 ShaderDefines shade_defines(const RadianceObjects& objects, const ParamValues& params) {
-  ShaderDefines defines = codec_defines(params);
+  ShaderDefines defines = radiance_codec(params).defines(params);
   if (objects.grid().order == LayerOrder::theta_major) defines.emplace_back("THETA_MAJOR");
   if (objects.grid().order == LayerOrder::phi_major) defines.emplace_back("PHI_MAJOR");
   return defines;
@@ -93,10 +93,10 @@ void shade(FrameContext& frame, const RadianceObjects& objects, const ParamValue
   int number = 0;
   for (const RadianceObject& object : objects.objects()) {
     program.set("object", number);
-    program.set("size", glm::ivec2(object.width, object.height));
+    program.set("size", glm::ivec2(object.file.width, object.file.height));
     program.set("sides", object.sides);
-    program.set("scale", object.scale);
-    object.textures->bind(program);
+    program.set("scale", object.file.scale);
+    object.file.textures->bind(program);
     frame.draw_fullscreen(target, program, Blend::replace, DrawOn::objects, stencil_of(number++));
   }
 }

@@ -1,4 +1,4 @@
-// What leaves a place of the texture in a direction: linear, over `scale`. The texel's chart ends in gutters, so that
+// What leaves a place of the texture in a direction: linear, over `scale`. A texel's chart ends in gutters, so that
 // bilinear reads never leave it.
 
 #ifdef CODEC_RAW
@@ -12,4 +12,8 @@ vec3 radiance(vec2 texel, NearestDirections near) {
                    texture(layers, vec3(at, layer_of(near.theta.y, near.phi.y))).rgb, near.part.y);
   return mix(lower, upper, near.part.x);
 }
+#endif
+
+#ifdef CODEC_PIECEWISE
+#include "techniques/surface_radiance/piecewise.glsl"
 #endif
