@@ -128,6 +128,7 @@ class Gatherer {
       case TaskKind::score:
         return add_score(i);
       case TaskKind::bake:
+      case TaskKind::compress:
       case TaskKind::export_:
         return;  // told with the image that needs it
     }

@@ -14,6 +14,7 @@
 #include "pipeline/concrete.h"
 #include "renderer/path_tracer.h"
 #include "renderer/radiance/bake_settings.h"
+#include "renderer/radiance/radiance_codecs.h"
 #include "renderer/technique.h"
 #include "reports/metric.h"
 
@@ -23,6 +24,7 @@ namespace {
 /// Raised when a task's outputs change though nothing else in its key does.
 constexpr int kSnapshotVersion = 1;
 constexpr int kBakeTaskVersion = 1;
+constexpr int kCompressVersion = 1;
 constexpr int kReferenceVersion = 1;
 constexpr int kScoreVersion = 1;
 
@@ -33,7 +35,8 @@ constexpr double kRadiositySeconds = 15;
 constexpr double kScoreSeconds = 0.25;
 constexpr double kTexelSeconds = 2e-5;  // with 72 light points
 constexpr double kPathOfTexelSeconds = 1e-6;
-constexpr double kBytesOfRadiance = 14;  // of a texel in a direction: as it is read, and on the GPU
+constexpr double kCompressSeconds = 5e-8;  // of a texel in a direction
+constexpr double kBytesOfRadiance = 14;    // of a texel in a direction: as it is read, and on the GPU
 constexpr double kTaskTimeout = 1800;
 
 std::string vec_text(const glm::vec3& v) {
@@ -88,7 +91,7 @@ class Planner {
   void add_scene(int scene) {
     const auto& views = views_of(job().scenes[std::size_t(scene)]);
     shared_exports_.clear();
-    bakes_.clear();
+    object_files_.clear();
     std::vector<ViewTasks> tasks(views.size());
     for (std::size_t view = 0; view < views.size(); ++view) {
       auto& [snapshots, references] = tasks[view];
@@ -137,16 +140,45 @@ class Planner {
     for (const auto& [name, hash] : facts.files) parts.emplace_back("file " + name, hash);
   }
 
-  /// The bakes of all objects that a variant draws; variants that bake alike share them.
-  const std::vector<std::size_t>& bakes(int scene, int variant_index) {
+  /// What makes the files of all objects that a variant draws; variants that bake, or compress, alike share
+  /// it.
+  const std::vector<std::size_t>& object_files(int scene, int variant_index) {
     const JobVariant& variant = job().variants[std::size_t(variant_index)];
-    const std::string folder = baked_folder(job(), scene, variant);
-    const auto [found, added] = bakes_.try_emplace(folder);
+    const std::string baked = baked_folder(job(), scene, variant);
+    const std::string compressed = compressed_folder(job(), scene, variant);
+    std::vector<std::size_t>& bakes = object_files_[baked];
+    const std::size_t objects = facts_.scenes[std::size_t(scene)].objects.size();
+    if (bakes.empty())
+      for (std::size_t i = 0; i < objects; ++i) bakes.push_back(add_bake(scene, variant_index, i, baked));
+    std::vector<std::size_t>& files = object_files_[compressed];
+    if (files.empty())
+      for (std::size_t i = 0; i < objects; ++i)
+        files.push_back(add_compression(scene, variant_index, i, compressed, bakes[i]));
+    return files;
+  }
+
+  std::size_t add_compression(int scene, int variant_index, std::size_t object, const std::string& folder,
+                              std::size_t bake) {
+    const JobVariant& variant = job().variants[std::size_t(variant_index)];
     const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
-    if (added)
-      for (std::size_t i = 0; i < facts.objects.size(); ++i)
-        found->second.push_back(add_bake(scene, variant_index, i, folder));
-    return found->second;
+    const ObjectFacts& compressed = facts.objects[object];
+    const ParamValues params = variant_params(variant);
+    Task task = start_task(TaskKind::compress, scene, kNone, {variant.name, compressed.file_stem});
+    task.variant = variant_index;
+    task.object = compressed.entity;
+    task.deps = {bake};
+    task.key_parts = {{"version", std::to_string(kCompressVersion)},
+                      {"bake", plan_.tasks[bake].key},
+                      {"parameters", codec_params_text(params)}};
+    for (const char* extension : radiance_codec(params).extensions)
+      task.outputs.push_back(folder + "/" + compressed.file_stem + extension);
+    task.group = "compress " + std::to_string(scene);
+    const double values =
+        facts.texels[std::size_t(variant_index)][object] * bake_settings(params).trace.grid.layers();
+    task.expected_seconds = 0.1 + values * kCompressSeconds;
+    task.timeout_seconds = kTaskTimeout;
+    task.resources.memory_mb = int(200 + values * kBytesOfRadiance / 1e6);
+    return finish_task(std::move(task));
   }
 
   std::size_t add_bake(int scene, int variant_index, std::size_t object, const std::string& folder) {
@@ -175,10 +207,10 @@ class Planner {
   }
 
   /// Has the snapshot wait for what it draws.
-  void need_bakes(Task& task, int scene, int variant_index) {
+  void need_objects(Task& task, int scene, int variant_index) {
     const SceneFacts& facts = facts_.scenes[std::size_t(scene)];
     if (!facts.error.empty()) return;
-    task.deps = bakes(scene, variant_index);
+    task.deps = object_files(scene, variant_index);
     std::vector<std::string> keys;
     for (const std::size_t dep : task.deps) keys.push_back(plan_.tasks[dep].key);
     task.key_parts.emplace_back("baked", join(keys, " "));
@@ -219,7 +251,7 @@ class Planner {
     task.resources.memory_mb = int(200 + 300 * megapixels() + double(facts.triangles) / 2000);
     if (task.refused.empty() && !facts.unsupported.empty())
       task.refused = join(facts.unsupported[std::size_t(variant_index)], "; ");
-    if (technique.needs_bake && task.refused.empty()) need_bakes(task, scene, variant_index);
+    if (technique.needs_bake && task.refused.empty()) need_objects(task, scene, variant_index);
     return finish_task(std::move(task));
   }
 
@@ -358,13 +390,14 @@ class Planner {
   const PlanFacts& facts_;
   Plan plan_;
   std::map<std::string, std::size_t> shared_exports_;
-  std::map<std::string, std::vector<std::size_t>> bakes_;  ///< of the scene, by folder
+  std::map<std::string, std::vector<std::size_t>> object_files_;  ///< of the scene, by folder
 };
 
 }  // namespace
 
 const std::vector<std::string>& task_kind_names() {
-  static const std::vector<std::string> names = {"bake", "snapshot", "export", "reference", "score"};
+  static const std::vector<std::string> names = {"bake",   "compress",  "snapshot",
+                                                 "export", "reference", "score"};
   return names;
 }
 

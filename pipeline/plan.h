@@ -11,7 +11,7 @@
 
 namespace lightbench {
 
-enum class TaskKind { bake, snapshot, export_, reference, score };
+enum class TaskKind { bake, compress, snapshot, export_, reference, score };
 
 const std::vector<std::string>& task_kind_names();
 std::string to_text(TaskKind kind);
@@ -39,7 +39,7 @@ struct Task {
   int view = kNone;  ///< kNone: an export's files that all views share
   int variant = kNone;
   int reference = kNone;
-  int object = kNone;  ///< of a bake: an entity of the scene
+  int object = kNone;  ///< of a bake and its compression: an entity of the scene
   Resources resources;
   double expected_seconds = 0;
   double timeout_seconds = 0;
@@ -102,8 +102,10 @@ std::string score_stem(const Job& job, int scene, int view, const std::string& v
 /// A named buffer's files, without extension.
 std::string buffer_stem(const Job& job, int scene, int view, const std::string& variant,
                         const std::string& buffer);
-/// The folder of a scene's baked objects, for variants that bake alike.
+/// The folder of a scene's baked objects, for variants that bake alike; and of what a codec makes of them,
+/// which is the same where it draws them as they are.
 std::string baked_folder(const Job& job, int scene, const JobVariant& variant);
+std::string compressed_folder(const Job& job, int scene, const JobVariant& variant);
 /// The folder of a scene's files for a reference kind.
 std::string shared_export_folder(const Job& job, int scene, const std::string& kind);
 /// The baseline's buffer that ambient light is fitted with; empty where no metric of the job needs it, or its

@@ -7,6 +7,7 @@
 #include "pipeline/concrete.h"
 #include "pipeline/plan.h"
 #include "renderer/radiance/bake_settings.h"
+#include "renderer/radiance/radiance_codecs.h"
 #include "renderer/technique.h"
 #include "reports/metric.h"
 
@@ -50,6 +51,15 @@ std::string baked_folder(const Job& job, int scene, const JobVariant& variant) {
   Hasher hasher;
   hasher.field("bake", bake_params_text(variant_params(variant)));
   return fmt::format("baked/{}/{}", escape_file_name(job.scenes[std::size_t(scene)].name), hasher.digest());
+}
+
+std::string compressed_folder(const Job& job, int scene, const JobVariant& variant) {
+  const ParamValues params = variant_params(variant);
+  const std::string folder = baked_folder(job, scene, variant);
+  if (!radiance_codec(params).compress) return folder;
+  Hasher hasher;
+  hasher.field("codec", codec_params_text(params));
+  return folder + "/" + hasher.digest();
 }
 
 std::string baseline_albedo(const Job& job) {

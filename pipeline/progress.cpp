@@ -101,8 +101,8 @@ double Progress::pace(TaskKind kind) const {
 
 double Progress::remaining_seconds() const {
   double total = 0;
-  for (const TaskKind kind :
-       {TaskKind::bake, TaskKind::snapshot, TaskKind::export_, TaskKind::reference, TaskKind::score})
+  for (const TaskKind kind : {TaskKind::bake, TaskKind::compress, TaskKind::snapshot, TaskKind::export_,
+                              TaskKind::reference, TaskKind::score})
     total += pace(kind) * schedule_->remaining_seconds(kind);
   for (const auto& [task, start] : running_)
     total -= std::min(seconds_since(start), pace(task->kind) * schedule_->seconds(*task));

@@ -17,6 +17,7 @@
 #include "pipeline/score.h"
 #include "pipeline/snapshot.h"
 #include "renderer/radiance/object_bake.h"
+#include "renderer/radiance/radiance_codecs.h"
 #include "renderer/radiance/radiance_file.h"
 #include "scene/motion.h"
 #include "scene/scene_file.h"
@@ -85,6 +86,7 @@ struct TaskWorker::Impl {
                             const ReferenceImage& made, const Task& task) const;
 
   TaskResult bake(const Task& task);
+  TaskResult compress(const Task& task);
   TaskResult snapshot(const Task& task);
   TaskResult export_scene(const Task& task);
   TaskResult reference(const Task& task);
@@ -120,13 +122,29 @@ TaskResult TaskWorker::Impl::bake(const Task& task) {
   return result;
 }
 
+TaskResult TaskWorker::Impl::compress(const Task& task) {
+  load(task);
+  const JobVariant& variant = job().variants[std::size_t(task.variant)];
+  const ParamValues params = variant_params(variant);
+  const std::string stem = object_file_stem(scene, std::size_t(task.object));
+  const HalfStack stack =
+      read_half_radiance(file(baked_folder(job(), task.scene, variant)) / (stem + ".mtex"));
+  const auto counts =
+      counting_places(object_atlas(scene, std::size_t(task.object), bake_settings(params)), stack.height);
+  const CodecReport report = radiance_codec(params).compress(
+      stack, counts, params, file(compressed_folder(job(), task.scene, variant)) / stem);
+  TaskResult result;
+  for (const auto& [name, value] : codec_numbers(report)) result.metrics[name] = MetricValue::of(value);
+  return result;
+}
+
 TaskResult TaskWorker::Impl::snapshot(const Task& task) {
   load(task);
   if (!renderer) renderer = std::make_unique<Renderer>(parse_gl(plan.gl, ""));
   const JobVariant& variant = job().variants[std::size_t(task.variant)];
   FrameRequest request{scene, view(task), job().width, job().height, job().samples, {}};
   if (find_technique(variant.technique, "").needs_bake)
-    request.baked = file(baked_folder(job(), task.scene, variant));
+    request.baked = file(compressed_folder(job(), task.scene, variant));
   const auto buffers = variant_buffers(job(), variant);
   request.buffers.insert(buffers.begin(), buffers.end());
   const auto start = std::chrono::steady_clock::now();
@@ -236,6 +254,9 @@ TaskResult TaskWorker::work(const Task& task) {
   switch (task.kind) {
     case TaskKind::bake:
       result = impl_->bake(task);
+      break;
+    case TaskKind::compress:
+      result = impl_->compress(task);
       break;
     case TaskKind::snapshot:
       result = impl_->snapshot(task);

@@ -1,5 +1,6 @@
 #include "pipeline/plan_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -32,12 +33,14 @@ TEST(PlanFile, ReadsBackToTheSamePlan) {
 
 TEST(PlanFile, AnotherVersionIsRefused) {
   const std::string text = plan_to_json(test::plan_of(test::concrete_job()));
-  EXPECT_THAT(error_of(test::replaced(text, "\"format\": 1", "\"format\": 2")), HasSubstr("another version"));
+  EXPECT_THAT(
+      error_of(test::replaced(text, fmt::format("\"format\": {}", kPlanFormatVersion), "\"format\": 999")),
+      HasSubstr("another version"));
 }
 
 TEST(PlanFile, WhatIsNoPlanIsRefused) {
   EXPECT_THAT(error_of("{}"), HasSubstr("is not a plan"));
-  EXPECT_THAT(error_of("{\"format\": 1, "), HasSubstr("is not a plan"));
+  EXPECT_THAT(error_of("{\"format\": 2, "), HasSubstr("is not a plan"));
 }
 
 }  // namespace

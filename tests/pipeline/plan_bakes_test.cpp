@@ -1,0 +1,93 @@
+#include <gmock/gmock.h>
+
+#include "job_fixture.h"
+#include "pipeline/plan.h"
+
+/// How techniques that draw what was baked are planned.
+namespace lightbench {
+namespace {
+
+using test::concrete_job;
+using test::facts_for;
+using test::kJobText;
+using test::replaced;
+using test::task_called;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// The fixture's job with these variants, of two objects in each scene.
+Plan plan_with(const std::string& variants) {
+  const Job job = concrete_job(replaced(kJobText, R"({"name": "other", "technique": "ambient"})", variants));
+  PlanFacts facts = facts_for(job);
+  for (SceneFacts& scene : facts.scenes) {
+    scene.objects = {{0, "floor", "0000-floor"}, {2, "box", "0002-box"}};
+    scene.texels.assign(job.variants.size(), {100, 300});
+  }
+  return make_plan(job, facts, "/out");
+}
+
+std::string variant(const std::string& name, const std::string& params) {
+  return R"({"name": ")" + name + R"(", "technique": "surface_radiance", "params": {)" + params + "}}";
+}
+
+std::vector<std::string> ids_of(const Plan& plan, TaskKind kind, int scene = 0) {
+  std::vector<std::string> ids;
+  for (const Task& task : plan.tasks)
+    if (task.kind == kind && task.scene == scene) ids.push_back(task.id);
+  return ids;
+}
+
+std::vector<std::string> dep_ids(const Plan& plan, const std::string& id) {
+  std::vector<std::string> ids;
+  for (const std::size_t dep : task_called(plan, id).deps) ids.push_back(plan.tasks[dep].id);
+  return ids;
+}
+
+TEST(PlanBakes, EachObjectIsBakedOnceForAllViews) {
+  const Plan plan = plan_with(variant("raw", ""));
+  EXPECT_THAT(ids_of(plan, TaskKind::bake), ElementsAre("bake:one/raw/0000-floor", "bake:one/raw/0002-box"));
+  for (const char* view : {"a", "b"})
+    EXPECT_THAT(dep_ids(plan, std::string("snapshot:one/") + view + "/raw"),
+                ElementsAre("bake:one/raw/0000-floor", "bake:one/raw/0002-box"));
+  EXPECT_TRUE(ids_of(plan, TaskKind::compress).empty()) << "it draws what was baked as it is";
+  EXPECT_EQ(task_called(plan, "bake:one/raw/0002-box").object, 2);
+}
+
+TEST(PlanBakes, VariantsThatBakeAlikeShareTheBake) {
+  const Plan plan = plan_with(variant("raw", "") + "," + variant("six", R"("codec": "piecewise")"));
+  EXPECT_THAT(ids_of(plan, TaskKind::bake), ElementsAre("bake:one/raw/0000-floor", "bake:one/raw/0002-box"));
+  EXPECT_THAT(dep_ids(plan, "compress:one/six/0002-box"), ElementsAre("bake:one/raw/0002-box"));
+  EXPECT_THAT(dep_ids(plan, "snapshot:one/a/six"),
+              ElementsAre("compress:one/six/0000-floor", "compress:one/six/0002-box"));
+}
+
+TEST(PlanBakes, HowItIsDrawnChangesNoFiles) {
+  const Plan plan = plan_with(variant("six", R"("codec": "piecewise")") + "," +
+                              variant("binary", R"("codec": "piecewise", "search": "binary")"));
+  EXPECT_THAT(ids_of(plan, TaskKind::compress),
+              ElementsAre("compress:one/six/0000-floor", "compress:one/six/0002-box"));
+}
+
+TEST(PlanBakes, OtherDirectionsAndOtherThresholdsAreOtherFiles) {
+  const Plan plan = plan_with(variant("six", R"("codec": "piecewise")") + "," +
+                              variant("nine", R"("codec": "piecewise", "threshold": 9)") + "," +
+                              variant("coarse", R"("codec": "piecewise", "thetas": 10)"));
+  EXPECT_EQ(ids_of(plan, TaskKind::bake).size(), 4u);
+  EXPECT_EQ(ids_of(plan, TaskKind::compress).size(), 6u);
+  EXPECT_NE(task_called(plan, "compress:one/six/0000-floor").outputs,
+            task_called(plan, "compress:one/nine/0000-floor").outputs);
+}
+
+TEST(PlanBakes, OtherTechniquesBakeNothing) {
+  const Plan plan = plan_with(variant("raw", ""));
+  EXPECT_TRUE(dep_ids(plan, "snapshot:one/a/direct").empty());
+}
+
+TEST(PlanBakes, AnotherBakeIsAnotherSnapshot) {
+  const std::string id = "snapshot:one/a/raw";
+  EXPECT_NE(task_called(plan_with(variant("raw", "")), id).key,
+            task_called(plan_with(variant("raw", R"("seed": 2)")), id).key);
+}
+
+}  // namespace
+}  // namespace lightbench
