@@ -1,6 +1,7 @@
 # Every library we use, found once. All of them are Debian 12 packages (packages.txt).
 find_package(fmt REQUIRED)
 find_package(glm REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(embree 3 REQUIRED)
