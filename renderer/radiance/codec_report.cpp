@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "base/error.h"
-#include "renderer/radiance/color_set.h"
 
 namespace lightbench {
 namespace {
@@ -43,27 +42,35 @@ std::vector<std::pair<std::string, double>> codec_numbers(const CodecReport& rep
   return numbers;
 }
 
-CodecReport report_codec(const ByteStack& original, const ByteStack& decoded, std::vector<FileSize> files) {
+CodecReport report_codec(const ByteStack& original, const ByteStack& decoded, std::vector<FileSize> files,
+                         std::span<const std::uint8_t> counts) {
   if (original.width != decoded.width || original.height != decoded.height || original.grid != decoded.grid ||
       original.texels.size() != decoded.texels.size())
     throw Error("the decoded object has another size, or other directions, than the original");
   CodecReport report{.width = original.width, .height = original.height, .files = std::move(files)};
-  ErrorCounts counts{};
+  ErrorCounts errors{};
+  std::vector<bool> seen(std::size_t{1} << 24);  // colours
+  std::uint64_t values = 0;
   for (std::size_t i = 0; i < original.texels.size(); ++i) {
+    if (!counts.empty() && counts[i % original.layer_size()] == 0) continue;
+    ++values;
+    const auto& [r, g, b] = original.texels[i];
+    const std::size_t color = std::size_t(r) << 16 | std::size_t(g) << 8 | b;
+    if (!seen[color]) ++report.colors;
+    seen[color] = true;
     int sum = 0;
     for (std::size_t c = 0; c < 3; ++c) {
       const int error = std::abs(original.texels[i][c] - decoded.texels[i][c]);
       report.max_component_error = std::max(report.max_component_error, error);
       sum += error;
     }
-    ++counts[std::size_t(sum)];
+    ++errors[std::size_t(sum)];
   }
-  measure_errors(counts, original.texels.size(), report);
+  measure_errors(errors, values, report);
   std::uint64_t bytes = 0;
   for (const FileSize& file : report.files) bytes += file.bytes;
-  report.raw_bytes = 3 * std::uint64_t(original.texels.size());
+  report.raw_bytes = 3 * values;
   report.ratio = double(report.raw_bytes) / double(bytes);
-  report.colors = ColorSet(original.texels).size();
   return report;
 }
 

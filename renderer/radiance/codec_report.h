@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,7 +35,10 @@ struct CodecReport {
 /// Its numbers by name: width, height, raw_bytes, bytes.NAME of each file, ratio and so on.
 std::vector<std::pair<std::string, double>> codec_numbers(const CodecReport& report);
 
-/// For any codec. Throws Error unless both stacks have the same size and directions.
-CodecReport report_codec(const ByteStack& original, const ByteStack& decoded, std::vector<FileSize> files);
+/// For any codec. `counts` tells of each place of a layer whether a texel is there (not 0); empty: all are.
+/// Where none is, neither errors nor raw bytes are counted. Throws Error unless both stacks have the same
+/// size and directions.
+CodecReport report_codec(const ByteStack& original, const ByteStack& decoded, std::vector<FileSize> files,
+                         std::span<const std::uint8_t> counts = {});
 
 }  // namespace lightbench

@@ -54,6 +54,17 @@ TEST(CodecReport, CountsTheColorsOfTheOriginal) {
   EXPECT_EQ(report_codec(original, grey(3, 1), {}).colors, 2u);
 }
 
+TEST(CodecReport, PlacesWithoutATexelDoNotCount) {
+  const ByteStack original = grey(4, 9);
+  ByteStack decoded = original;
+  decoded.texels[1] = decoded.texels[5] = {200, 0, 0};  // one place in both layers
+  const std::vector<std::uint8_t> counts{1, 0, 1, 1};
+  const CodecReport report = report_codec(original, decoded, {{"a", 9}}, counts);
+  EXPECT_EQ(report.max_error, 0);
+  EXPECT_EQ(report.raw_bytes, 18u);
+  EXPECT_EQ(report.ratio, 2);
+}
+
 TEST(CodecReport, ObjectsOfDifferentShapeAreAnError) {
   EXPECT_THROW(report_codec(grey(3, 1), grey(4, 1), {}), Error);
   ByteStack turned = grey(3, 1);
