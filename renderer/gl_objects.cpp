@@ -29,6 +29,9 @@ constexpr std::array kFormats{
     FormatRow{TexelFormat::r16f, GL_R16F, 1},
     FormatRow{TexelFormat::rg16f, GL_RG16F, 2},
     FormatRow{TexelFormat::rgb16f, GL_RGB16F, 3},
+    FormatRow{TexelFormat::rgb16, GL_RGB16, 3},
+    FormatRow{TexelFormat::rgba16_snorm, GL_RGBA16_SNORM, 4},
+    FormatRow{TexelFormat::rg_rgtc2, GL_COMPRESSED_RG_RGTC2, 2},
     FormatRow{TexelFormat::rgba16f, GL_RGBA16F, 4},
     FormatRow{TexelFormat::r32f, GL_R32F, 1},
     FormatRow{TexelFormat::rg32f, GL_RG32F, 2},
@@ -51,11 +54,12 @@ GLenum transfer_format(TexelFormat format, int channels) {
 
 void set_sampling(unsigned id, Filter filter, Wrap wrap) {
   const GLint mode = filter == Filter::linear ? GL_LINEAR : GL_NEAREST;
-  const GLint edge = wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  const GLint across = wrap == Wrap::clamp ? GL_CLAMP_TO_EDGE : GL_REPEAT;
+  const GLint along = wrap == Wrap::repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
   glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, mode);
   glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, mode);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_S, edge);
-  glTextureParameteri(id, GL_TEXTURE_WRAP_T, edge);
+  glTextureParameteri(id, GL_TEXTURE_WRAP_S, across);
+  glTextureParameteri(id, GL_TEXTURE_WRAP_T, along);
 }
 
 // The rows in OpenGL's order, from the bottom.
@@ -94,7 +98,7 @@ GlTexture::GlTexture(TexelFormat format, int width, int height, Filter filter, W
   set_sampling(id, filter, wrap);
 }
 
-GlTexture GlTexture::array(TexelFormat format, int width, int height, int layers, Filter filter) {
+GlTexture GlTexture::array(TexelFormat format, int width, int height, int layers, Filter filter, Wrap wrap) {
   GlTexture texture;
   texture.format_ = format;
   texture.width_ = width;
@@ -105,7 +109,7 @@ GlTexture GlTexture::array(TexelFormat format, int width, int height, int layers
   texture.handle_ = GlHandle<delete_texture>(id);
   glTextureStorage3D(id, 1, row(format).internal, width, height, layers);
   throw_if_out_of_memory(fmt::format("a texture of {} x {} x {} texels", width, height, layers));
-  set_sampling(id, filter, Wrap::clamp);
+  set_sampling(id, filter, wrap);
   return texture;
 }
 
@@ -123,11 +127,38 @@ void GlTexture::upload(const Image& pixels) {
                       flipped(pixels.data, height_).data());
 }
 
-void GlTexture::upload_layer(int layer, std::span<const std::array<std::uint16_t, 3>> texels) {
-  assert(format_ == TexelFormat::rgb16f && layer < layers_ &&
-         texels.size() == std::size_t(width_) * std::size_t(height_));
+namespace {
+
+/// What a layer's texels are made of; 0 where it is blocks.
+GLenum component_type(TexelFormat format) {
+  switch (format) {
+    case TexelFormat::rgb16f:
+      return GL_HALF_FLOAT;
+    case TexelFormat::rgb16:
+    case TexelFormat::rgba16:
+      return GL_UNSIGNED_SHORT;
+    case TexelFormat::rgba16_snorm:
+      return GL_SHORT;
+    case TexelFormat::rgba8:
+      return GL_UNSIGNED_BYTE;
+    case TexelFormat::rg_rgtc2:
+      return 0;
+    default:
+      throw std::logic_error("a format whose layers are not uploaded");
+  }
+}
+
+}  // namespace
+
+void GlTexture::upload_layer(int layer, std::span<const std::byte> texels) {
+  assert(layer < layers_);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage3D(id(), 0, 0, 0, layer, width_, height_, 1, GL_RGB, GL_HALF_FLOAT, texels.data());
+  if (const GLenum type = component_type(format_); type != 0)
+    glTextureSubImage3D(id(), 0, 0, 0, layer, width_, height_, 1,
+                        transfer_format(format_, component_count(format_)), type, texels.data());
+  else
+    glCompressedTextureSubImage3D(id(), 0, 0, 0, layer, width_, height_, 1, row(format_).internal,
+                                  GLsizei(texels.size()), texels.data());
 }
 
 void GlTexture::bind(unsigned unit) const {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -20,6 +19,9 @@ enum class TexelFormat {
   rgba16,
   r16f,
   rgb16f,
+  rgb16,
+  rgba16_snorm,
+  rg_rgtc2,  ///< compressed: each of two components in 8 bytes for 4 x 4 texels
   rg16f,
   rgba16f,
   r32f,
@@ -30,8 +32,8 @@ enum class TexelFormat {
 };
 int component_count(TexelFormat format);
 
-enum class Filter { nearest, linear };  ///< never mipmaps
-enum class Wrap { clamp, repeat };
+enum class Filter { nearest, linear };             ///< never mipmaps
+enum class Wrap { clamp, repeat, repeat_across };  ///< repeat_across: along x only
 
 /// The name of an OpenGL object that is deleted by `Delete` when its owner goes.
 template <void (*Delete)(unsigned)>
@@ -63,7 +65,7 @@ class GlTexture {
   GlTexture(TexelFormat format, int width, int height, Filter filter = Filter::nearest,
             Wrap wrap = Wrap::clamp);
   static GlTexture array(TexelFormat format, int width, int height, int layers,
-                         Filter filter = Filter::nearest);
+                         Filter filter = Filter::nearest, Wrap wrap = Wrap::clamp);
 
   unsigned id() const { return handle_.id(); }
   int width() const { return width_; }
@@ -74,8 +76,9 @@ class GlTexture {
   void upload(
       const std::vector<std::uint16_t>& texels);  ///< RGBA, normalised, row 0 on top: v = 1 is the top
   void upload(const Image& pixels);  ///< float, as many components as the format has, row 0 on top
-  /// One layer of an array of rgb16f: the bits of halves, OpenGL's row 0 first.
-  void upload_layer(int layer, std::span<const std::array<std::uint16_t, 3>> texels);
+  /// One layer of an array: texels, or blocks of them, as the format keeps them, OpenGL's row 0 first. For
+  /// rgb16f, rgb16, rgba16, rgba16_snorm, rgba8 and rg_rgtc2.
+  void upload_layer(int layer, std::span<const std::byte> texels);
   void bind(unsigned unit) const;
 
  private:

@@ -25,7 +25,7 @@ std::size_t PcaStack::bytes() const {
 std::size_t direction_index(const PcaStack& stack, int layer) {
   if (stack.matte) return 0;
   const glm::ivec2 place = stack.grid.place(layer);
-  return std::size_t(place.x * stack.grid.phis + place.y);
+  return std::size_t(place.x) * std::size_t(stack.grid.phis) + std::size_t(place.y);
 }
 
 std::size_t basis_index(const PcaStack& stack, std::size_t k, std::size_t c, std::size_t direction) {
@@ -107,10 +107,12 @@ Rgb8 PcaDecoder::value(std::size_t texel, int layer) const {
   }
   if (stack_.correction_step == 0) return value;
   const BlockPlace at = block_place(stack_, texel);
-  const auto key_of = [](std::uint32_t packed) { return packed & kKeyMask; };
-  const auto found =
-      std::ranges::equal_range(corrections_of(at.block), correction_key(layer, at.place), {}, key_of);
-  for (const std::uint32_t packed : found) correct(packed, value);
+  const std::span corrections = corrections_of(at.block);
+  const std::uint32_t key = correction_key(layer, at.place);
+  const auto is_before = [](std::uint32_t packed, std::uint32_t k) { return (packed & kKeyMask) < k; };
+  for (auto i = std::lower_bound(corrections.begin(), corrections.end(), key, is_before);
+       i != corrections.end() && (*i & kKeyMask) == key; ++i)
+    correct(*i, value);
   return value;
 }
 

@@ -41,13 +41,13 @@ class PiecewiseTextures : public RadianceTextures {
   bool mapped_;
 };
 
-CodecReport compress(const HalfStack& stack, std::span<const std::uint8_t>, const ParamValues& params,
+CodecReport compress(const HalfStack& stack, std::span<const std::uint8_t> counts, const ParamValues& params,
                      const std::filesystem::path& stem) {
   const SampleRule rule = params.text("encoder") == "paper" ? SampleRule::paper : SampleRule::greedy;
   const ByteStack bytes = to_bytes(stack);
   const PiecewiseStack compressed = encode_piecewise(bytes, rule, params.integer("threshold"));
   write_piecewise(stem, compressed);
-  return report_codec(bytes, decode_piecewise(compressed), piecewise_file_sizes(compressed));
+  return report_codec(bytes, decode_piecewise(compressed), piecewise_file_sizes(compressed), counts);
 }
 
 RadianceFile load(const std::filesystem::path& stem, const ParamValues&) {

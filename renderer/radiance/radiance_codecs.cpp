@@ -5,13 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "renderer/radiance/pca_codec.h"
 #include "renderer/radiance/piecewise_codec.h"
 #include "renderer/radiance/raw_codec.h"
 
 namespace lightbench {
 
 std::span<const RadianceCodec> radiance_codecs() {
-  static const std::array table{raw_codec(), piecewise_codec()};
+  static const std::array table{raw_codec(), piecewise_codec(), pca_codec()};
   return table;
 }
 
@@ -27,7 +28,7 @@ std::vector<ParamSpec> codec_params() {
       {"codec", ParamType::choice, first, 0, 0, std::move(names),
        "how radiance is kept; raw: 16-bit floats for each direction; piecewise: 8 bits, some directions of "
        "each "
-       "texel and lines between them"},
+       "texel and lines between them; pca: 8 bits, weights of a few functions of the direction"},
       {"encoder",
        ParamType::choice,
        std::string("greedy"),
@@ -54,6 +55,34 @@ std::vector<ParamSpec> codec_params() {
        "of piecewise, for a texel's directions when drawing; linear: from the first one on, as in the "
        "thesis; "
        "binary; once: one binary search for two neighbours. All give the same picture"},
+      {"coefficients",
+       ParamType::integer,
+       24LL,
+       4,
+       64,
+       {},
+       "of pca: the most that a texel has, rounded up to an even number; fewer where the errors allow it"},
+      {"first_bits",
+       ParamType::choice,
+       std::string("8"),
+       0,
+       0,
+       {"8", "16"},
+       "of pca: of each of the first four coefficients; with 16 they show no steps"},
+      {"mean_error",
+       ParamType::number,
+       1.1,
+       0,
+       255,
+       {},
+       "of pca: the largest mean error, of 255, over what is not decoded as it was"},
+      {"error_99",
+       ParamType::number,
+       6.0,
+       0,
+       255,
+       {},
+       "of pca: the error, of 255, that 99 % of all values may not exceed"},
   };
 }
 

@@ -14,7 +14,8 @@ class RawTextures : public RadianceTextures {
     for (int layer = 0; layer < stack.grid.layers(); ++layer)
       layers_.upload_layer(
           layer,
-          std::span(stack.texels).subspan(std::size_t(layer) * stack.layer_size(), stack.layer_size()));
+          std::as_bytes(
+              std::span(stack.texels).subspan(std::size_t(layer) * stack.layer_size(), stack.layer_size())));
   }
   void bind(const Program&) const override { layers_.bind(2); }
 

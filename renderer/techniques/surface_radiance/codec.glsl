@@ -1,5 +1,6 @@
 // What leaves a place of the texture in a direction: linear, over `scale`. A texel's chart ends in gutters, so that
 // bilinear reads never leave it.
+#include "techniques/surface_radiance/srgb.glsl"
 
 #ifdef CODEC_RAW
 layout(binding = 2) uniform sampler2DArray layers;
@@ -12,6 +13,10 @@ vec3 radiance(vec2 texel, NearestDirections near) {
                    texture(layers, vec3(at, layer_of(near.theta.y, near.phi.y))).rgb, near.part.y);
   return mix(lower, upper, near.part.x);
 }
+#endif
+
+#ifdef CODEC_PCA
+#include "techniques/surface_radiance/pca.glsl"
 #endif
 
 #ifdef CODEC_PIECEWISE

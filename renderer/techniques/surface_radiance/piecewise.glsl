@@ -30,18 +30,13 @@ int search(int first, int end, int layer) {
 #endif
 }
 
-vec3 linear_from_srgb(ivec3 bytes) {
-  vec3 encoded = vec3(bytes) / 255.0;
-  return mix(pow((encoded + 0.055) / 1.055, vec3(2.4)), encoded / 12.92, lessThanEqual(encoded, vec3(0.04045)));
-}
-
 // In whole numbers, so that it is what the encoder bounded.
 vec3 color_of(int found, int end, int layer) {
   ivec3 a = color_at(found);
-  if (found + 1 == end) return linear_from_srgb(a);
+  if (found + 1 == end) return linear_from_srgb(vec3(a) / 255.0);
   int i = layer_at(found), j = layer_at(found + 1);
   ivec3 b = color_at(found + 1);
-  return linear_from_srgb((a * (j - layer) + b * (layer - i) + (j - i) / 2) / (j - i));
+  return linear_from_srgb(vec3((a * (j - layer) + b * (layer - i) + (j - i) / 2) / (j - i)) / 255.0);
 }
 
 // Of two layers, mixed.
@@ -58,27 +53,31 @@ vec3 pair_of(int first, int end, int layer, int other, float part) {
 #endif
 }
 
-vec3 texel_radiance(ivec2 place, NearestDirections near) {
-  int texel = place.y * size.x + place.x;
-  int first = int(texelFetch(starts, texel).r);
-  int end = texel + 1 < size.x * size.y ? int(texelFetch(starts, texel + 1).r) : samples;
-  // Pairs are neighbours in the order of layers.
-#ifdef THETA_MAJOR
-  return mix(pair_of(first, end, layer_of(near.theta.x, near.phi.x), layer_of(near.theta.x, near.phi.y), near.part.y),
-             pair_of(first, end, layer_of(near.theta.y, near.phi.x), layer_of(near.theta.y, near.phi.y), near.part.y),
-             near.part.x);
-#else
-  return mix(pair_of(first, end, layer_of(near.theta.x, near.phi.x), layer_of(near.theta.y, near.phi.x), near.part.x),
-             pair_of(first, end, layer_of(near.theta.x, near.phi.y), layer_of(near.theta.y, near.phi.y), near.part.x),
-             near.part.y);
-#endif
-}
-
+// The eight pairs around a place, in a loop, since compilers take minutes over all of them side by side. Pairs are
+// neighbours in the order of layers.
 vec3 radiance(vec2 texel, NearestDirections near) {
   vec2 corner = texel - 0.5;
   ivec2 low = clamp(ivec2(floor(corner)), ivec2(0), size - 1);
   ivec2 high = min(low + 1, size - 1);
   vec2 part = clamp(corner - vec2(low), 0.0, 1.0);
-  return mix(mix(texel_radiance(low, near), texel_radiance(ivec2(high.x, low.y), near), part.x),
-             mix(texel_radiance(ivec2(low.x, high.y), near), texel_radiance(high, near), part.x), part.y);
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 8; ++i) {
+    bvec3 upper = bvec3(i & 1, i & 2, i & 4);  // texel along x, along y, pair
+    ivec2 place = ivec2(upper.x ? high.x : low.x, upper.y ? high.y : low.y);
+    int index = place.y * size.x + place.x;
+    int first = int(texelFetch(starts, index).r);
+    int end = index + 1 < size.x * size.y ? int(texelFetch(starts, index + 1).r) : samples;
+#ifdef THETA_MAJOR
+    int theta = upper.z ? near.theta.y : near.theta.x;
+    vec3 color = pair_of(first, end, layer_of(theta, near.phi.x), layer_of(theta, near.phi.y), near.part.y);
+    float pair_part = near.part.x;
+#else
+    int phi = upper.z ? near.phi.y : near.phi.x;
+    vec3 color = pair_of(first, end, layer_of(near.theta.x, phi), layer_of(near.theta.y, phi), near.part.x);
+    float pair_part = near.part.y;
+#endif
+    vec3 parts = mix(1.0 - vec3(part, pair_part), vec3(part, pair_part), upper);
+    sum += parts.x * parts.y * parts.z * color;
+  }
+  return sum;
 }

@@ -64,7 +64,7 @@ TEST_F(PcaFile, IsReadAsItWasWritten) {
 
 TEST_F(PcaFile, HoldsMatteObjects) {
   const PcaStack stack = encode_pca(
-      half_stack(3, 2, {20, 20}, [](int x, int, const glm::vec3&) { return glm::vec3(x); }), {}, {});
+      half_stack(3, 2, {20, 20}, [](int x, int, const glm::vec3&) { return glm::vec3(float(x)); }), {}, {});
   const std::string bytes = bytes_of(stack);
   EXPECT_EQ(read_pca(file_), stack);
   EXPECT_EQ(bytes.size(), 72 + stack.bytes());

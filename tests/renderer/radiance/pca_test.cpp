@@ -20,8 +20,8 @@ PcaStack small_stack() {
   pca.offset.assign(10, 0), pca.scale.assign(10, 0);
   pca.scale[0] = 655.35f, pca.scale[4] = 25.5f, pca.scale[8] = 51;
   pca.offset[4] = 1;
-  pca.basis.assign(12 * 2 * 3, 0);
-  pca.wide.assign(4 * 5, 0), pca.narrow.assign(4 * 5, 0), pca.blocks.assign(4, 0);
+  pca.basis.assign(72, 0);  // of three groups, three components, two directions
+  pca.wide.assign(20, 0), pca.narrow.assign(20, 0), pca.blocks.assign(4, 0);
   return pca;
 }
 
@@ -30,8 +30,8 @@ TEST(PcaDecoder, AddsAllKindsOfCoefficients) {
   pca.basis[basis_index(pca, 0, 0, 1)] = 32767;   // of red in the second direction
   pca.basis[basis_index(pca, 4, 1, 1)] = -32767;  // of green
   pca.basis[basis_index(pca, 8, 2, 1)] = 32767;   // of blue
-  pca.wide[4 * 4] = 1000;                         // 10, at texel 4
-  pca.narrow[4 * 4] = 200;                        // 1 + 20
+  pca.wide[16] = 1000;                            // 10, at texel 4
+  pca.narrow[16] = 200;                           // 1 + 20
   pca.blocks[block_index(pca, 1, 0)] = 100;       // 20: one end, which the code 0 stands for
   const PcaDecoder decoder(pca);
   EXPECT_THAT(decoder.value(4, 1), ElementsAre(110, 79, 120));

@@ -48,7 +48,7 @@ RC_GTEST_PROP(Rgtc, NoSumOfErrorsIsWorseThanSevenEqualSteps, ()) {
   const auto [least, most] = std::ranges::minmax(numbers);
   const std::uint64_t block = encode_rgtc(numbers, kAll);
   double squares = 0;
-  for (int i = 0; i < 16; ++i) squares += std::pow(decode_rgtc(block, i) - numbers[std::size_t(i)], 2);
+  for (int i = 0; i < 16; ++i) squares += std::pow(float(decode_rgtc(block, i)) - numbers[std::size_t(i)], 2);
   // Half a step, and half for rounding between the ends.
   RC_ASSERT(squares <= 16 * std::pow((most - least) / 14 + 0.5, 2) + 1e-3);
 }

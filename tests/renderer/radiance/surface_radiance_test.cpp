@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "renderer/path_tracer.h"
 #include "renderer/radiance/object_bake.h"
+#include "renderer/radiance/radiance_codecs.h"
 #include "renderer/radiance/radiance_file.h"
 #include "tests/renderer/room_scenes.h"
 
@@ -20,15 +21,21 @@ ParamValues values_of(const std::map<std::string, ParamValue>& given) {
   return resolve_params(technique.params, technique.presets, "", given, "");
 }
 
-/// Bakes all objects of a scene and draws them.
+/// Bakes and compresses all objects of a scene and draws them.
 Image drawn(const Scene& scene, const View& view, const std::map<std::string, ParamValue>& given,
             int width = 64, int height = 48) {
   const ParamValues params = values_of(given);
   const TemporaryFolder folder;
   const ObjectBaker baker(scene);
-  for (const std::size_t entity : objects_to_bake(scene))
-    write_radiance(folder.path() / (object_file_stem(scene, entity) + ".mtex"),
-                   baker.bake(entity, bake_settings(params)).stack);
+  for (const std::size_t entity : objects_to_bake(scene)) {
+    const auto stem = folder.path() / object_file_stem(scene, entity);
+    const HalfStack stack = baker.bake(entity, bake_settings(params)).stack;
+    if (const auto compress = radiance_codec(params).compress)
+      compress(stack, counting_places(object_atlas(scene, entity, bake_settings(params)), stack.height),
+               params, stem);
+    else
+      write_radiance(stem.string() + ".mtex", stack);
+  }
   FrameRequest request{scene, view, width, height, 1, {}, folder.path()};
   return Renderer(GlBackend::osmesa).render(surface_radiance_technique(), params, request).image;
 }
@@ -86,6 +93,75 @@ TEST(GlSurfaceRadiance, TheOrderOfLayersChangesNothing) {
   const auto serpentine = with_order("phi_serpentine");
   EXPECT_EQ(with_order("theta_major"), serpentine);
   EXPECT_EQ(with_order("phi_major"), serpentine);
+}
+
+/// A shiny floor under a lamp, seen from the side.
+struct Shiny {
+  Scene scene = floor_scene();
+  View view = inside_view();
+  std::map<std::string, ParamValue> given{{"texels", 4e3}, {"thetas", 12LL}, {"phis", 14LL}};
+
+  Shiny() {
+    scene.materials[0].specular = 0.4f;
+    scene.materials[0].exponent = 8;
+    scene.lights = {point_light({1, 2, -2})};
+    scene.lights[0].power = 0.7f;
+    view.camera.position = {0, 2, 3};
+    view.camera.look_at = {0, 0, 0};
+  }
+  Image with(const std::map<std::string, ParamValue>& more) const {
+    auto all = more;
+    all.insert(given.begin(), given.end());
+    return drawn(scene, view, all);
+  }
+};
+
+TEST(GlSurfaceRadiance, PiecewiseWithoutLossIsTheRoundedRadiance) {
+  const Shiny shiny;
+  // Rounding to 8 bits: up to half a step of sRGB, which is 0.0045 of linear light at most, and 0.001 on
+  // average.
+  EXPECT_LT(
+      mean_difference(shiny.with({{"codec", std::string("piecewise")}, {"threshold", 0LL}}), shiny.with({})),
+      0.001);
+}
+
+TEST(GlSurfaceRadiance, AllSearchesFindTheSame) {
+  const Shiny shiny;
+  for (const LayerOrderName& order : layer_orders()) {
+    const auto with_search = [&](const char* search) {
+      return shiny
+          .with({{"codec", std::string("piecewise")},
+                 {"threshold", 9LL},
+                 {"order", std::string(order.name)},
+                 {"search", std::string(search)}})
+          .data;
+    };
+    const auto once = with_search("once");
+    EXPECT_EQ(with_search("binary"), once) << order.name;
+    EXPECT_EQ(with_search("linear"), once) << order.name;
+  }
+}
+
+TEST(GlSurfaceRadiance, ComponentsComeAsNearAsTheyWereAskedTo) {
+  const Shiny shiny;
+  const Image raw = shiny.with({});
+  const auto error_of = [&](double error) {
+    return mean_difference(
+        shiny.with({{"codec", std::string("pca")}, {"mean_error", error}, {"error_99", 6 * error}}), raw);
+  };
+  // One step of sRGB is 0.009 of linear light at most; here most is darker, and alpha has no error.
+  EXPECT_LT(error_of(0.5), 0.5 * 0.009);
+  EXPECT_LT(error_of(0.5), error_of(4));
+}
+
+TEST(GlSurfaceRadiance, ComponentsOfMatteObjectsHaveOneDirection) {
+  const Scene scene = room();
+  const std::map<std::string, ParamValue> given{{"texels", 2e4}, {"thetas", 4LL}, {"phis", 5LL}};
+  auto compressed = given;
+  compressed["codec"] = std::string("pca");
+  EXPECT_LT(mean_difference(drawn(scene, inside_view(), compressed), drawn(scene, inside_view(), given)),
+            0.002)
+      << "rounded to 8 bits";
 }
 
 TEST(GlSurfaceRadiance, BothSidesAreLitEachByItself) {

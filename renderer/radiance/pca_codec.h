@@ -1,0 +1,12 @@
+#pragma once
+
+#include "renderer/radiance/radiance_codecs.h"
+
+namespace lightbench {
+
+/// 8 bits as weighted sums of a few functions of the direction, which all texels of an object share
+/// (renderer/radiance/pca.h). The hardware interpolates weights over texels and functions over directions, in
+/// encoded values.
+RadianceCodec pca_codec();
+
+}  // namespace lightbench
