@@ -13,10 +13,10 @@ namespace lightbench {
 inline float half_error(const glm::vec3& a, const glm::vec3& b) {
   const auto shown = [](const glm::vec3& linear) {
     const glm::vec3 c = glm::clamp(linear, 0.0f, 1.0f);
-    return 255.0f * glm::vec3(srgb_encode(c.x), srgb_encode(c.y), srgb_encode(c.z));
+    return glm::vec3(srgb_encode(c.x), srgb_encode(c.y), srgb_encode(c.z));
   };
   const glm::vec3 difference = glm::abs(shown(a) - shown(b));
-  return (difference.x + difference.y + difference.z) / 6;
+  return 255 * (difference.x + difference.y + difference.z) / 6;
 }
 
 }  // namespace lightbench

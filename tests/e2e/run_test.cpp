@@ -283,10 +283,10 @@ TEST_F(GlRun, AnOracleIsARunOfItsOwnWithATable) {
   EXPECT_EQ(read_file(path("out/job-oracle/ledger.jsonl")), ledger) << "nothing was left to do";
 }
 
-TEST_F(GlRun, AnOracleNeedsAVariantWithVisibility) {
+TEST_F(GlRun, AnOracleNeedsAVariantOfIsr) {
   const auto result = run({"oracle", "job.json"});
   EXPECT_EQ(result.exit_code, 3);
-  EXPECT_THAT(result.err, HasSubstr("job.json: no variant of technique 'isr' has visibility"));
+  EXPECT_THAT(result.err, HasSubstr("job.json: no variant is of technique 'isr'"));
 }
 
 TEST_F(GlRun, SweepsAndRandomViewsAndBuffers) {
