@@ -5,8 +5,11 @@
 #include <atomic>
 #include <cassert>
 #include <cmath>
+#include <cstring>
 #include <future>
 #include <mutex>
+
+#include <glm/gtc/packing.hpp>
 
 #include "renderer/paths/direct_sampler.h"
 #include "renderer/paths/half_error.h"
@@ -22,18 +25,25 @@ constexpr int kBlock = 64;  // texels whose rays are traced together
 constexpr float kFaintest =
     1e-5f;  // highlights below are left out: a fiftieth of the smallest step of 8 bits
 
-using Half8 = _Float16 __attribute__((vector_size(16)));
 using HalfTexel = std::array<std::uint16_t, 3>;
+using Halves8 = std::array<std::uint16_t, kLanes>;
 
-Half8 half8(Float8 v) {
-  return __builtin_convertvector(min8(v, splat(kLargestHalf)), Half8);
+Halves8 halves(Float8 v) {
+  Halves8 result;
+  const Float8 kept = min8(v, splat(kLargestHalf));
+#ifdef __F16C__
+  const __m128i bits = _mm256_cvtps_ph(kept, _MM_FROUND_TO_NEAREST_INT);
+  std::memcpy(result.data(), &bits, sizeof bits);
+#else
+  for (int i = 0; i < kLanes; ++i) result[std::size_t(i)] = glm::packHalf1x16(kept[i]);
+#endif
+  return result;
 }
 
 /// Eight colours as halves, side by side.
 void store_halves(HalfTexel* to, const Vec8& color) {
-  using Bits8 = std::uint16_t __attribute__((vector_size(16)));
-  const Bits8 x = Bits8(half8(color.x)), y = Bits8(half8(color.y)), z = Bits8(half8(color.z));
-  for (int i = 0; i < kLanes; ++i) to[i] = {x[i], y[i], z[i]};
+  const Halves8 x = halves(color.x), y = halves(color.y), z = halves(color.z);
+  for (std::size_t i = 0; i < kLanes; ++i) to[i] = {x[i], y[i], z[i]};
 }
 
 /// What a light point does at a texel where it is not hidden.
