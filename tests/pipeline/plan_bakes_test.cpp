@@ -13,7 +13,6 @@ using test::kJobText;
 using test::replaced;
 using test::task_called;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 /// The fixture's job with these variants, of two objects in each scene.
 Plan plan_with(const std::string& variants) {
