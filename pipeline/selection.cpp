@@ -13,7 +13,9 @@ bool is_selected(const std::string& label, const std::string& only) {
 std::vector<bool> select_tasks(const Plan& plan, const std::set<TaskKind>& stages, const std::string& only) {
   const auto in_stages = [&](const Task& task) {
     if (stages.empty() || stages.contains(task.kind)) return true;
-    return task.kind == TaskKind::export_ && stages.contains(TaskKind::reference);
+    if (task.kind == TaskKind::export_) return stages.contains(TaskKind::reference);
+    const bool makes_objects = task.kind == TaskKind::bake || task.kind == TaskKind::compress;
+    return makes_objects && stages.contains(TaskKind::snapshot);
   };
   std::vector<bool> selected(plan.tasks.size(), false);
   for (std::size_t i = 0; i < plan.tasks.size(); ++i) {

@@ -14,7 +14,8 @@ namespace lightbench {
 bool is_selected(const std::string& label, const std::string& only);
 
 /// Which tasks --stages and --only choose: those of the named kinds (none: all) whose label is
-/// selected, and what they need of those kinds. An export comes with its reference.
+/// selected, and what they need of those kinds. An export comes with its reference, and baked
+/// objects with the snapshots that draw them.
 std::vector<bool> select_tasks(const Plan& plan, const std::set<TaskKind>& stages, const std::string& only);
 
 /// Which tasks --retry-failed chooses: those that failed the last time, what was skipped because of them, and

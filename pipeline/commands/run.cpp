@@ -30,10 +30,10 @@ void add_run_command(CLI::App& app, Action& action) {
       add_command<RunParams>(app, "run", "Do everything that a job file says", action, run_run, command);
   command->add_option("job", params->job, "Job file (jobs/FORMAT.md)")->required();
   add_run_flags(*command, params->flags);
-  command->add_option("--stages", params->stages, "Only these: snapshot, reference, score")
+  command->add_option("--stages", params->stages, "Only these: bake, snapshot, reference, score")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"snapshot", "reference", "score"}));
+      ->check(CLI::IsMember({"bake", "snapshot", "reference", "score"}));
   command->add_flag("--retry-failed", params->retry_failed,
                     "Only what failed the last time, and what was skipped because of it");
   command->footer(

@@ -2,6 +2,7 @@
 
 #include "job_fixture.h"
 #include "pipeline/plan.h"
+#include "pipeline/selection.h"
 
 /// How techniques that draw what was baked are planned.
 namespace lightbench {
@@ -13,6 +14,7 @@ using test::kJobText;
 using test::replaced;
 using test::task_called;
 using ::testing::ElementsAre;
+using ::testing::UnorderedElementsAre;
 
 /// The fixture's job with these variants, of two objects in each scene.
 Plan plan_with(const std::string& variants) {
@@ -75,6 +77,17 @@ TEST(PlanBakes, OtherDirectionsAndOtherThresholdsAreOtherFiles) {
   EXPECT_EQ(ids_of(plan, TaskKind::compress).size(), 6u);
   EXPECT_NE(task_called(plan, "compress:one/six/0000-floor").outputs,
             task_called(plan, "compress:one/nine/0000-floor").outputs);
+}
+
+TEST(PlanBakes, BelongToTheStageOfSnapshots) {
+  const Plan plan = plan_with(variant("six", R"("codec": "piecewise")"));
+  const std::vector<bool> selected = select_tasks(plan, {TaskKind::snapshot}, "one/a/six");
+  std::vector<std::string> ids;
+  for (std::size_t i = 0; i < selected.size(); ++i)
+    if (selected[i]) ids.push_back(plan.tasks[i].id);
+  EXPECT_THAT(ids, UnorderedElementsAre("bake:one/six/0000-floor", "bake:one/six/0002-box",
+                                        "compress:one/six/0000-floor", "compress:one/six/0002-box",
+                                        "snapshot:one/a/six"));
 }
 
 TEST(PlanBakes, OtherTechniquesBakeNothing) {
