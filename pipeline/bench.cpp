@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "pipeline/concrete.h"
+#include "pipeline/plan.h"
 #include "pipeline/selection.h"
 #include "pipeline/snapshot.h"
 #include "renderer/renderer.h"
@@ -47,19 +48,35 @@ double quantile(const std::vector<double>& sorted, double q) {
   return std::lerp(sorted[below], sorted[above], place - double(below));
 }
 
-std::vector<BenchRow> bench_view(const Job& job, const JobScene& job_scene, const Scene& scene,
-                                 const View& view, Renderer& renderer, int rounds) {
-  std::vector<Samples> samples(job.variants.size());
+/// A scene of the job that is loaded.
+struct BenchScene {
+  const Job& job;
+  int number;
+  const std::filesystem::path& out;
+  Scene scene;
+};
+
+FrameRequest frame_request(const BenchScene& bench, const View& view, const JobVariant& variant) {
+  const Job& job = bench.job;
+  FrameRequest request{bench.scene, view, job.width, job.height, job.samples, {}};
+  if (find_technique(variant.technique, "").needs_bake)
+    request.baked = bench.out / compressed_folder(job, bench.number, variant);
+  return request;
+}
+
+std::vector<BenchRow> bench_view(const BenchScene& bench, const View& view,
+                                 const std::vector<JobVariant>& variants, Renderer& renderer, int rounds) {
+  std::vector<Samples> samples(variants.size());
   for (int round = -kWarmUps; round < rounds; ++round)
-    for (std::size_t v = 0; v < job.variants.size(); ++v) {
-      const FrameRequest request{scene, view, job.width, job.height, job.samples, {}};
-      const Technique& technique = find_technique(job.variants[v].technique, "");
-      const FrameResult frame = renderer.render(technique, variant_params(job.variants[v]), request);
+    for (std::size_t v = 0; v < variants.size(); ++v) {
+      const Technique& technique = find_technique(variants[v].technique, "");
+      const FrameResult frame =
+          renderer.render(technique, variant_params(variants[v]), frame_request(bench, view, variants[v]));
       if (round >= 0) samples[v].add(frame);
     }
   std::vector<BenchRow> rows;
-  for (std::size_t v = 0; v < job.variants.size(); ++v) {
-    BenchRow row{job_scene.name, view.name, job.variants[v].name, {}};
+  for (std::size_t v = 0; v < variants.size(); ++v) {
+    BenchRow row{bench.scene.name, view.name, variants[v].name, {}};
     for (const auto& pass : samples[v].order)
       if (!samples[v].seconds[pass].empty()) row.times.push_back(summarize(pass, samples[v].seconds[pass]));
     rows.push_back(std::move(row));
@@ -94,21 +111,19 @@ BenchTime summarize(const std::string& pass, std::vector<double> seconds) {
   return {pass, quantile(seconds, 0.5), quantile(seconds, 0.25), quantile(seconds, 0.75)};
 }
 
-std::vector<BenchRow> bench_job(const Job& concrete, const std::string& gl, int rounds,
-                                const std::string& only) {
+std::vector<BenchRow> bench_job(const Job& concrete, const std::filesystem::path& out, const std::string& gl,
+                                int rounds, const std::string& only) {
   std::vector<BenchRow> rows;
-  for (const auto& job_scene : concrete.scenes) {
+  for (std::size_t s = 0; s < concrete.scenes.size(); ++s) {
+    const JobScene& job_scene = concrete.scenes[s];
     const auto timed = timed_views(concrete, job_scene, only);
     if (timed.empty()) continue;
-    Scene scene = load_scene(job_scene.file);
-    scene.name = job_scene.name;
+    BenchScene bench{concrete, int(s), out, load_scene(job_scene.file)};
+    bench.scene.name = job_scene.name;
     Renderer renderer(parse_gl(gl, "--gl"));
     for (const auto& [view, variants] : timed) {
-      set_time(scene, view.time);
-      Job job = concrete;
-      job.variants = variants;
-      for (auto& row : bench_view(job, job_scene, scene, view, renderer, rounds))
-        rows.push_back(std::move(row));
+      set_time(bench.scene, view.time);
+      for (auto& row : bench_view(bench, view, variants, renderer, rounds)) rows.push_back(std::move(row));
     }
   }
   return rows;

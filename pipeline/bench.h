@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,11 @@ BenchTime summarize(const std::string& pass, std::vector<double> seconds);
 
 /// Times every view with every variant in this process, which should be alone on the machine: per view two
 /// frames of each variant to warm up, then `rounds` rounds in which the variants take turns. Nothing comes
-/// from a cache. Variants that trace paths are left out: they are not meant for real time. `only`: of those
-/// whose scene/view/variant matches this pattern, or begins with it as a path; empty: all.
-std::vector<BenchRow> bench_job(const Job& concrete, const std::string& gl, int rounds,
-                                const std::string& only = "");
+/// from a cache but baked objects, which must be in the run's folder `out` (bake_job). Variants that trace
+/// paths are left out: they are not meant for real time. `only`: of those whose scene/view/variant matches
+/// this pattern, or begins with it as a path; empty: all.
+std::vector<BenchRow> bench_job(const Job& concrete, const std::filesystem::path& out, const std::string& gl,
+                                int rounds, const std::string& only = "");
 
 std::string bench_table(const std::vector<BenchRow>& rows);
 /// Of each variant the mean over the views of its whole frame's median, and that in times of the first one's.

@@ -65,6 +65,35 @@ void print_end(const RunReport& report, const std::filesystem::path& out, bool i
   std::printf("\n%s\n", (out / "index.html").c_str());
 }
 
+/// A run under way, in its folder.
+struct StartedRun {
+  StartedRun(const Job& job, const RunOptions& options)
+      : out(run_folder(job, options.out)),
+        ledger(out / "ledger.jsonl", LedgerUse::append),
+        prepared(prepare_run(job, out, options.gl)),
+        places(options.places > 0 ? options.places : int(std::max(1u, std::thread::hardware_concurrency()))) {
+  }
+
+  /// Returns how each task ended; empty `selected`: all are done.
+  std::vector<TaskOutcome> execute_tasks(const std::vector<bool>& selected) {
+    check_tools(prepared, selected);
+    const auto plan_file = out / "plan.json";
+    write_file_atomic(plan_file, plan_to_json(prepared.plan));
+    FolderCache cache(ledger, out);
+    LocalRunner runner(executable_path(), plan_file, out / "tmp");
+    Progress progress(stdout, Progress::style_of(stdout), places);
+    auto outcomes = execute(prepared.plan, cache, runner, progress, {places, memory_mb(), selected});
+    interrupted = runner.interrupted();
+    return outcomes;
+  }
+
+  std::filesystem::path out;
+  Ledger ledger;
+  PreparedRun prepared;
+  int places;
+  bool interrupted = false;
+};
+
 }  // namespace
 
 std::filesystem::path run_folder(const Job& job, const std::filesystem::path& out) {
@@ -81,33 +110,33 @@ PreparedRun prepare_run(const Job& job, const std::filesystem::path& out, const 
   return run;
 }
 
+void bake_job(const Job& job, const RunOptions& options) {
+  StartedRun run(job, options);
+  const std::vector<Task>& tasks = run.prepared.plan.tasks;
+  std::vector<bool> selected =
+      select_tasks(run.prepared.plan, {TaskKind::snapshot, TaskKind::bake, TaskKind::compress}, options.only);
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (tasks[i].kind == TaskKind::snapshot) selected[i] = false;
+  if (!any(selected)) return;
+  const auto outcomes = run.execute_tasks(selected);
+  if (run.interrupted) throw Error("interrupted: the same command goes on from here");
+  for (std::size_t i = 0; i < tasks.size(); ++i)
+    if (selected[i] && outcomes[i].state == TaskState::failed)
+      throw Error(outcomes[i].reason, tasks[i].label);
+}
+
 ExitCode run_job(const Job& job, const RunOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const std::string started = utc_now();
-  const auto out = run_folder(job, options.out);
-  Ledger ledger(out / "ledger.jsonl", LedgerUse::append);
-  PreparedRun run = prepare_run(job, out, options.gl);
-  ExecuteOptions execute_options;
-  execute_options.places =
-      options.places > 0 ? options.places : int(std::max(1u, std::thread::hardware_concurrency()));
-  execute_options.memory_mb = memory_mb();
-  execute_options.selected = selection(run.plan, ledger, options);
-  check_tools(run, execute_options.selected);
-  const auto plan_file = out / "plan.json";
-  write_file_atomic(plan_file, plan_to_json(run.plan));
-
-  FolderCache cache(ledger, out);
-  LocalRunner runner(executable_path(), plan_file, out / "tmp");
-  Progress progress(stdout, Progress::style_of(stdout), execute_options.places);
-  const auto outcomes = execute(run.plan, cache, runner, progress, execute_options);
-
-  RunReport report = gather_report(run.plan, run.facts, outcomes, execute_options.selected);
+  StartedRun run(job, options);
+  const std::vector<bool> selected = selection(run.prepared.plan, run.ledger, options);
+  const auto outcomes = run.execute_tasks(selected);
+  RunReport report = gather_report(run.prepared.plan, run.prepared.facts, outcomes, selected);
   report.started = started;
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  write_reports(report, out);
-  print_end(report, out, runner.interrupted());
-  return runner.interrupted() ? ExitCode::task_failed
-                              : exit_code_of(report, outcomes, execute_options.selected);
+  write_reports(report, run.out);
+  print_end(report, run.out, run.interrupted);
+  return run.interrupted ? ExitCode::task_failed : exit_code_of(report, outcomes, selected);
 }
 
 }  // namespace lightbench

@@ -31,6 +31,10 @@ struct PreparedRun {
 /// Makes the job concrete (which may store drawn views in the run's folder), reads its scenes and plans.
 PreparedRun prepare_run(const Job& job, const std::filesystem::path& out, const std::string& gl);
 
+/// Bakes into the run's folder what those snapshots draw that match `only`, and is not there yet. Throws
+/// Error where one of the objects could not be baked, and when a signal ended it.
+void bake_job(const Job& job, const RunOptions& options);
+
 /// Does what a job asks for and is not there yet, writes the reports and prints a summary. INT and TERM end
 /// it early and keep what is done. Throws Error for bad input, a missing reference tool, and a folder that
 /// cannot be written.

@@ -7,7 +7,7 @@
 #include <glad/gl.h>
 
 #include "renderer/gpu_scene.h"
-#include "renderer/radiance/radiance_objects.h"
+#include "renderer/radiance/radiance_cache.h"
 #include "renderer/shadow_map.h"
 
 namespace lightbench {
@@ -33,7 +33,9 @@ Image enlarged(const Image& image, int width, int height) {
 
 }  // namespace
 
-GpuState::GpuState() : shadow_textures(std::make_unique<ShadowTextures>()) {}
+GpuState::GpuState()
+    : shadow_textures(std::make_unique<ShadowTextures>()),
+      radiance_cache(std::make_unique<RadianceCache>()) {}
 GpuState::~GpuState() = default;
 
 FrameContext::FrameContext(const FrameRequest& request, GpuState* gpu, const GpuScene* scene)

@@ -16,7 +16,7 @@ namespace lightbench {
 
 class GpuScene;
 struct ShadowTextures;
-class RadianceObjects;
+class RadianceCache;
 
 enum class Blend { replace, add };
 enum class DrawOn {
@@ -32,7 +32,7 @@ struct GpuState {
   ProgramCache programs;
   VertexArray no_vertices;  ///< of full-screen passes
   std::unique_ptr<ShadowTextures> shadow_textures;
-  std::unique_ptr<RadianceObjects> radiance_objects;  ///< null until a technique needs them
+  std::unique_ptr<RadianceCache> radiance_cache;
 };
 
 /// What a technique draws one frame with. Sizes are those drawn: the request's times its samples; `Renderer`
@@ -49,7 +49,7 @@ class FrameContext {
   int height() const { return request_.height * request_.samples; }
   const GpuScene& gpu_scene() const { return *gpu_scene_; }
   ShadowTextures& shadow_textures() { return *gpu_->shadow_textures; }
-  std::unique_ptr<RadianceObjects>& radiance_objects() { return gpu_->radiance_objects; }
+  RadianceCache& radiance_cache() { return *gpu_->radiance_cache; }
 
   const Program& program(const std::string& vertex, const std::string& fragment,
                          const ShaderDefines& defines = {});

@@ -1,5 +1,6 @@
 #include "pipeline/bench.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include "pipeline/run_job.h"
 #include "pipeline/snapshot.h"
 #include "renderer/renderer.h"
+#include "renderer/technique.h"
 
 namespace lightbench {
 namespace {
@@ -25,6 +27,7 @@ struct BenchParams {
   int rounds = 10;
   std::string only;
   std::string gl = "osmesa";
+  std::string out;
   std::string output;
 };
 
@@ -34,17 +37,27 @@ void warn_if_busy() {
     std::fprintf(stderr, "warning: the machine is busy (load %.1f), so these times are too long\n", load);
 }
 
+bool needs_bake(const JobVariant& variant) {
+  return find_technique(variant.technique, "").needs_bake;
+}
+
 ExitCode run_bench(const BenchParams& params) {
   const Job job = read_job(params.job);
+  const std::filesystem::path out = run_folder(job, params.out);
+  if (std::any_of(job.variants.begin(), job.variants.end(), needs_bake)) {
+    RunOptions baking;
+    baking.out = out, baking.only = params.only, baking.gl = params.gl;
+    bake_job(job, baking);
+  }
   const TemporaryFolder drawn;
   const Job concrete = make_concrete(job, drawn.path(), draw_job_views);
   warn_if_busy();
-  const auto rows = bench_job(concrete, params.gl, params.rounds, params.only);
+  const auto rows = bench_job(concrete, out, params.gl, params.rounds, params.only);
   if (rows.empty()) throw Error("no scene/view/variant is there to time", params.only);
   std::printf("%s\n%s", bench_table(rows).c_str(), bench_means(rows).c_str());
   const std::string renderer = Renderer(parse_gl(params.gl, "--gl")).description();
   const std::filesystem::path file =
-      params.output.empty() ? run_folder(job, "") / "bench.json" : std::filesystem::path(params.output);
+      params.output.empty() ? out / "bench.json" : std::filesystem::path(params.output);
   write_file_atomic(file, bench_json(concrete, rows, params.rounds, renderer));
   std::printf("%s\n%s\n", renderer.c_str(), file.c_str());
   return ExitCode::ok;
@@ -64,12 +77,13 @@ void add_bench_command(CLI::App& app, Action& action) {
   command->add_option("--gl", params->gl, "OpenGL back end")
       ->check(CLI::IsMember({"osmesa", "egl"}))
       ->capture_default_str();
+  command->add_option("--out", params->out, "Folder of the run, for what is baked; default: out/<job name>");
   command->add_option("-o,--output", params->output,
-                      "JSON file to write; default: out/<job name>/bench.json");
+                      "JSON file to write; default: bench.json in the run's folder");
   command->footer(
       R"(Times that an ordinary run meets are marked contended, since other tasks run beside. Here variants take
-turns, alone on the machine, after two frames each to warm up; nothing comes from a cache. Path-traced variants are
-left out.
+turns, alone on the machine, after two frames each to warm up; nothing comes from a cache but baked objects, which
+are made first where they are missing. Path-traced variants are left out.
 
 Examples:
   lightbench bench jobs/cornell.json --rounds 20

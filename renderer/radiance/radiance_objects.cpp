@@ -12,7 +12,7 @@ namespace lightbench {
 namespace {
 
 std::string key_of(const std::filesystem::path& folder, const ParamValues& params) {
-  return folder.string() + "\n" + to_text(params);
+  return folder.string() + "\n" + bake_params_text(params) + codec_params_text(params);
 }
 
 template <typename T>
@@ -84,7 +84,7 @@ void check_fits(const RadianceFile& file, const ChartAtlas& atlas, const Directi
 
 RadianceObjects::RadianceObjects(const Scene& scene, const std::filesystem::path& folder,
                                  const ParamValues& params)
-    : key_(key_of(folder, params)) {
+    : key_(key_of(folder, params)), file_bytes_(radiance_file_bytes(scene, folder, params)) {
   const BakeSettings settings = bake_settings(params);
   grid_ = settings.trace.grid;
   for (const std::size_t entity : objects_to_bake(scene)) {
@@ -100,6 +100,19 @@ RadianceObjects::RadianceObjects(const Scene& scene, const std::filesystem::path
 
 bool RadianceObjects::are(const std::filesystem::path& folder, const ParamValues& params) const {
   return key_ == key_of(folder, params);
+}
+
+std::uint64_t radiance_file_bytes(const Scene& scene, const std::filesystem::path& folder,
+                                  const ParamValues& params) {
+  std::uint64_t bytes = 0;
+  for (const std::size_t entity : objects_to_bake(scene))
+    for (const char* extension : radiance_codec(params).extensions) {
+      std::error_code missing;
+      const auto size =
+          std::filesystem::file_size(folder / (object_file_stem(scene, entity) + extension), missing);
+      if (!missing) bytes += size;
+    }
+  return bytes;
 }
 
 }  // namespace lightbench

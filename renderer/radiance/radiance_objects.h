@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -54,15 +55,21 @@ class RadianceObjects {
   /// does not fit the scene, and when OpenGL is out of memory.
   RadianceObjects(const Scene& scene, const std::filesystem::path& folder, const ParamValues& params);
 
-  /// Whether these were read from there for such parameters.
+  /// Whether these were read from there for such parameters; those that say how to draw may differ.
   bool are(const std::filesystem::path& folder, const ParamValues& params) const;
   const std::vector<RadianceObject>& objects() const { return objects_; }
   const DirectionGrid& grid() const { return grid_; }
+  std::uint64_t file_bytes() const { return file_bytes_; }
 
  private:
   std::string key_;
+  std::uint64_t file_bytes_;
   DirectionGrid grid_;
   std::vector<RadianceObject> objects_;
 };
+
+/// The size of the files that RadianceObjects reads; those that are not there have none.
+std::uint64_t radiance_file_bytes(const Scene& scene, const std::filesystem::path& folder,
+                                  const ParamValues& params);
 
 }  // namespace lightbench

@@ -7,6 +7,7 @@
 #include "renderer/frame_context.h"
 #include "renderer/gpu_scene.h"
 #include "renderer/radiance/bake_settings.h"
+#include "renderer/radiance/radiance_cache.h"
 #include "renderer/radiance/radiance_codecs.h"
 #include "renderer/radiance/radiance_objects.h"
 #include "scene/motion.h"
@@ -35,12 +36,7 @@ const RadianceObjects& loaded_objects(FrameContext& frame, const ParamValues& pa
   if (folder.empty())
     throw Error("technique 'surface_radiance' draws what was baked, and no folder of baked objects is given",
                 frame.scene().name);
-  std::unique_ptr<RadianceObjects>& kept = frame.radiance_objects();
-  if (!kept || !kept->are(folder, params)) {
-    kept.reset();  // before the next ones take their memory
-    kept = std::make_unique<RadianceObjects>(frame.scene(), folder, params);
-  }
-  return *kept;
+  return frame.radiance_cache().get(frame.scene(), folder, params);
 }
 
 void draw_object(FrameContext& frame, const RadianceObject& object, int number) {
