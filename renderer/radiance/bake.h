@@ -13,7 +13,7 @@
 namespace lightbench {
 
 /// Raised when equal arguments give other texels.
-inline constexpr int kBakeVersion = 1;
+inline constexpr int kBakeVersion = 2;
 
 struct BakeOptions {
   DirectionGrid grid;

@@ -11,6 +11,8 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "renderer/radiance/bake.h"
+#include "renderer/radiance/buried_texels.h"
+#include "renderer/radiance/solids.h"
 
 namespace lightbench {
 namespace {
@@ -18,6 +20,9 @@ namespace {
 // How far texels on the edge of a chart are moved into it, in texels: they must not look behind a wall that
 // stands there, and what they show must stay that of the edge.
 constexpr float kInset = 0.1f;
+
+// How far over a texel an object must reach to bury it, in texels: less is modelled as lying on it.
+constexpr float kAbove = 0.05f;
 
 const Mesh& mesh_of(const Scene& scene, std::size_t entity) {
   return scene.meshes[std::size_t(scene.entities[entity].mesh)];
@@ -69,6 +74,20 @@ void fill_gutters(const ChartAtlas& atlas, HalfStack& stack) {
     for (const GutterTexel& gutter : atlas.gutters)
       texel(gutter.place) = packed(value(gutter.a) + value(gutter.b) - value(gutter.c));
   }
+}
+
+std::vector<BakeTexel> texels_of(const ChartAtlas& atlas, Side side) {
+  std::vector<BakeTexel> texels;
+  texels.reserve(atlas.surface.size());
+  for (const SurfaceTexel& texel : atlas.surface) {
+    const SurfaceTexel from = inset(atlas, texel, kInset);
+    const int row = texel.place.y + (side == Side::back ? atlas.height : 0);
+    texels.push_back({std::uint32_t(texel.place.y * atlas.width + texel.place.x),
+                      std::uint32_t(row * atlas.width + texel.place.x),
+                      {from.triangle, from.beta, from.gamma},
+                      side});
+  }
+  return texels;
 }
 
 bool is_dark(const HalfStack& stack) {
@@ -139,8 +158,15 @@ ChartAtlas object_atlas(const Scene& scene, std::size_t entity, const BakeSettin
 }
 
 struct ObjectBaker::Impl {
-  explicit Impl(const Scene& scene) : paths(scene) {}
+  explicit Impl(const Scene& scene) : paths(scene), solids(scene) {}
   PathScene paths;
+  Solids solids;
+
+  /// Where a texel's neighbours lie, about, in the world.
+  float texel_size(std::size_t entity, const ChartAtlas& atlas) const {
+    return float(
+        std::sqrt(world_area(paths.scene, entity) / double(std::max<std::size_t>(1, atlas.surface.size()))));
+  }
 };
 
 ObjectBaker::ObjectBaker(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
@@ -149,23 +175,19 @@ ObjectBaker::~ObjectBaker() = default;
 ObjectBake ObjectBaker::bake(std::size_t entity, const BakeSettings& settings,
                              const std::function<void(double)>& progress) const {
   const ChartAtlas atlas = object_atlas(impl_->paths.scene, entity, settings);
+  const float above = kAbove * impl_->texel_size(entity, atlas);
   const auto side = [&](Side which, double begin) {
     ObjectBake result;
     result.stack = {atlas.width, atlas.height, settings.trace.grid, 1, {}};
     result.stack.texels.resize(result.stack.layer_size() * std::size_t(settings.trace.grid.layers()));
-    std::vector<BakeTexel> texels;
-    texels.reserve(atlas.surface.size());
-    for (const SurfaceTexel& texel : atlas.surface) {
-      const SurfaceTexel from = inset(atlas, texel, kInset);
-      const int row = texel.place.y + (which == Side::back ? atlas.height : 0);
-      texels.push_back({std::uint32_t(texel.place.y * atlas.width + texel.place.x),
-                        std::uint32_t(row * atlas.width + texel.place.x),
-                        {from.triangle, from.beta, from.gamma},
-                        which});
-    }
+    std::vector<BakeTexel> texels = texels_of(atlas, which);
+    const std::vector<bool> buried = buried_texels(impl_->paths, impl_->solids, entity, texels, above);
+    std::size_t number = 0;
+    std::erase_if(texels, [&](const BakeTexel&) { return bool(buried[number++]); });
     const auto half = [&](double share) { progress(begin + share / 2); };
     result.news = bake_texels(impl_->paths, entity, texels, settings.trace, result.stack,
                               progress ? std::function<void(double)>(half) : nullptr);
+    fill_buried(atlas, buried, result.stack);
     fill_gutters(atlas, result.stack);
     return result;
   };

@@ -1,0 +1,177 @@
+#include "renderer/radiance/solids.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "renderer/radiance/direction_grid.h"
+#include "renderer/radiance/weld.h"
+#include "scene/light_points.h"
+
+namespace lightbench {
+namespace {
+
+/// Which things are connected with which.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
+
+  std::uint32_t of(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parent_[of(a)] = of(b); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+using Triangles = std::vector<glm::uvec3>;
+
+/// The mesh's triangles between welded vertices, part by part that is connected; triangles between fewer than
+/// three of them are left out.
+std::vector<Triangles> connected_parts(const Mesh& mesh) {
+  const std::vector<std::uint32_t> welded = weld<3>(mesh.positions.size(), [&](std::uint32_t i) {
+    const glm::vec3& p = mesh.positions[i];
+    return std::array{p.x, p.y, p.z};
+  });
+  Groups groups(mesh.positions.size());
+  Triangles triangles;
+  for (const glm::uvec3& t : mesh.triangles) {
+    const glm::uvec3 w(welded[t.x], welded[t.y], welded[t.z]);
+    if (w.x == w.y || w.y == w.z || w.z == w.x) continue;
+    triangles.push_back(w);
+    groups.join(w.x, w.y), groups.join(w.y, w.z);
+  }
+  std::ranges::stable_sort(triangles, {}, [&](const glm::uvec3& t) { return groups.of(t.x); });
+  std::vector<Triangles> parts;
+  for (const glm::uvec3& t : triangles) {
+    if (parts.empty() || groups.of(parts.back().front().x) != groups.of(t.x)) parts.emplace_back();
+    parts.back().push_back(t);
+  }
+  return parts;
+}
+
+/// Whether each edge has one triangle on either side, both wound alike.
+bool is_closed(const Triangles& triangles) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> forward, backward;
+  for (const glm::uvec3& t : triangles)
+    for (const auto& [a, b] : {std::pair(t.x, t.y), std::pair(t.y, t.z), std::pair(t.z, t.x)}) {
+      forward.emplace_back(a, b);
+      backward.emplace_back(b, a);
+    }
+  std::ranges::sort(forward);
+  std::ranges::sort(backward);
+  return forward == backward && std::ranges::adjacent_find(forward) == forward.end();
+}
+
+bool has_cut_outs(const Scene& scene, const Mesh& mesh) {
+  return std::ranges::any_of(mesh.parts, [&](const MeshPart& part) {
+    return scene.materials[std::size_t(part.material)].cutout_texture != kNoTexture;
+  });
+}
+
+using Corners = std::vector<glm::vec3>;  // three for each triangle
+
+/// Six times the volume; negative where triangles are wound the wrong way.
+double signed_volume(const Corners& corners) {
+  const glm::dvec3 origin(corners.front());
+  double volume = 0;
+  for (std::size_t i = 0; i < corners.size(); i += 3)
+    volume += glm::dot(glm::dvec3(corners[i]) - origin,
+                       glm::cross(glm::dvec3(corners[i + 1]) - origin, glm::dvec3(corners[i + 2]) - origin));
+  return volume;
+}
+
+/// In the world, wound outwards.
+Corners world_corners(const Mesh& mesh, const Triangles& triangles, const glm::mat4& transform) {
+  Corners corners;
+  for (const glm::uvec3& t : triangles)
+    for (int corner = 0; corner < 3; ++corner)
+      corners.emplace_back(transform * glm::vec4(mesh.positions[t[corner]], 1));
+  if (signed_volume(corners) < 0)
+    for (std::size_t i = 0; i < corners.size(); i += 3) std::swap(corners[i + 1], corners[i + 2]);
+  return corners;
+}
+
+/// Points that send light, those of emitters among them.
+std::vector<glm::vec3> light_places(const Scene& scene) {
+  std::vector<glm::vec3> places;
+  for (const Light& light : light_points(scene))
+    if (light.kind != LightKind::directional) places.push_back(light.position);
+  for (const Entity& entity : scene.entities) {
+    const Mesh& mesh = scene.meshes[std::size_t(entity.mesh)];
+    for (const MeshPart& part : mesh.parts) {
+      if (scene.materials[std::size_t(part.material)].emission == glm::vec3(0)) continue;
+      for (std::uint32_t t = part.first_triangle; t < part.first_triangle + part.triangle_count; ++t)
+        places.emplace_back(entity.transform * glm::vec4(mesh.positions[mesh.triangles[t].x], 1));
+    }
+  }
+  return places;
+}
+
+bool holds_any(const Corners& solid, const std::vector<glm::vec3>& places) {
+  Bounds bounds;
+  for (const glm::vec3& corner : solid) bounds.add(corner);
+  return std::ranges::any_of(places, [&](const glm::vec3& place) {
+    return glm::all(glm::lessThanEqual(bounds.min, place)) && glm::all(glm::lessThanEqual(place, bounds.max));
+  });
+}
+
+/// With these triangles and nothing else.
+Scene scene_of(Corners corners) {
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < corners.size(); i += 3) mesh.triangles.emplace_back(i, i + 1, i + 2);
+  mesh.positions = std::move(corners);
+  mesh.normals.resize(mesh.positions.size(), glm::vec3(0, 1, 0));  // which nobody looks at
+  mesh.parts = {{0, 0, std::uint32_t(mesh.triangles.size())}};
+  Scene scene;
+  scene.materials.emplace_back();
+  scene.meshes.push_back(std::move(mesh));
+  scene.entities.push_back({"solids"});
+  return scene;
+}
+
+}  // namespace
+
+Solids::Solids(const Scene& scene) {
+  const std::vector<glm::vec3> lights = light_places(scene);
+  Corners corners;
+  for (const Entity& entity : scene.entities) {
+    const Mesh& mesh = scene.meshes[std::size_t(entity.mesh)];
+    if (has_cut_outs(scene, mesh)) continue;
+    for (const Triangles& part : connected_parts(mesh)) {
+      if (!is_closed(part)) continue;
+      const Corners solid = world_corners(mesh, part, entity.transform);
+      if (!holds_any(solid, lights)) corners.insert(corners.end(), solid.begin(), solid.end());
+    }
+  }
+  if (corners.empty()) return;
+  scene_ = scene_of(std::move(corners));
+  rays_.emplace(scene_);
+}
+
+bool Solids::contain(const glm::vec3& point, const glm::vec3& normal) const {
+  if (!rays_) return false;
+  // Off the axes, along which models have their edges. From within, all meet an inner side, unless another
+  // solid stands there too; so most decide.
+  constexpr std::array<glm::vec3, 5> kLocal{glm::vec3(0.05f, 0.998f, 0.03f), glm::vec3(0.55f, 0.77f, 0.32f),
+                                            glm::vec3(-0.47f, 0.79f, 0.39f), glm::vec3(0.29f, 0.76f, -0.58f),
+                                            glm::vec3(-0.38f, 0.73f, -0.57f)};
+  const glm::mat3 frame = frame_of_normal(normal);
+  std::size_t within = 0;
+  for (const glm::vec3& local : kLocal) {
+    const glm::vec3 direction = glm::normalize(frame * local);
+    const auto hit = rays_->closest_hit(point, direction);
+    if (hit && glm::dot(hit->normal, direction) > 0) ++within;
+  }
+  return 2 * within > kLocal.size();
+}
+
+}  // namespace lightbench
