@@ -199,7 +199,8 @@ void BlockBaker::shade(int i) {
   sums_.assign(setting_.directions.size(), splat(matte(i, s, lane)));
   if (s.specular[lane] > 0) add_highlights(i, s.specular[lane], s.exponent[lane]);
   HalfTexel* to = baked_.data() + std::size_t(i) * sums_.size() * kLanes;
-  for (std::size_t d = 0; d < sums_.size(); ++d) store_halves(to + d * kLanes, sums_[d]);
+  const Float8 share = splat(1 / setting_.options.scale);
+  for (std::size_t d = 0; d < sums_.size(); ++d) store_halves(to + d * kLanes, sums_[d] * share);
 }
 
 /// Texels of a block are mostly neighbours, so that layers are written a run at a time.
@@ -263,7 +264,7 @@ class Blocks {
 BakeNews bake_texels(const PathScene& scene, std::size_t entity, std::span<const BakeTexel> texels,
                      const BakeOptions& options, HalfStack& stack,
                      const std::function<void(double)>& progress) {
-  assert(stack.grid == options.grid &&
+  assert(stack.grid == options.grid && stack.scale == options.scale &&
          stack.texels.size() == stack.layer_size() * std::size_t(stack.grid.layers()));
   const ObjectSurface surface(scene, entity);
   const std::vector<BakeLight> lights = bake_lights(scene.scene, options.light_samples);

@@ -23,6 +23,7 @@ struct BakeOptions {
   int bounces = 0;           ///< of indirect light, 0 to 16
   int bounce_samples = 256;  ///< paths of each texel, 2 to 65536
   std::uint64_t seed = 1;
+  float scale = 1;  ///< of the stack (radiance_stack.h)
   int threads = 1;  ///< 1 to 256; the texels do not depend on it
 };
 

@@ -104,6 +104,8 @@ std::vector<ParamSpec> bake_params() {
              "auto: the mesh's own texture coordinates where no two places of its surface share one, else "
              "charts "
              "that are packed anew; own, charts: always"),
+      number("scale", settings.trace.scale, 1e-3, 1e6,
+             "the radiance that 255 stands for where 8 bits are kept; what is brighter is cut off"),
       integer("light_samples", settings.trace.light_samples, 0, 65536,
               "on each area light, placed anew for each texel; 0: the fixed points that all other techniques "
               "light with"),
@@ -118,6 +120,7 @@ BakeSettings bake_settings(const ParamValues& params) {
   settings.trace.grid.thetas = params.integer("thetas");
   settings.trace.grid.phis = params.integer("phis");
   settings.trace.grid.order = row_called(layer_orders(), params.text("order")).order;
+  settings.trace.scale = float(params.number("scale"));
   settings.trace.light_samples = params.integer("light_samples");
   settings.trace.bounces = params.integer("bounces");
   settings.trace.bounce_samples = params.integer("bounce_samples");

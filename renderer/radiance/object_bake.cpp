@@ -178,7 +178,7 @@ ObjectBake ObjectBaker::bake(std::size_t entity, const BakeSettings& settings,
   const float above = kAbove * impl_->texel_size(entity, atlas);
   const auto side = [&](Side which, double begin) {
     ObjectBake result;
-    result.stack = {atlas.width, atlas.height, settings.trace.grid, 1, {}};
+    result.stack = {atlas.width, atlas.height, settings.trace.grid, settings.trace.scale, {}};
     result.stack.texels.resize(result.stack.layer_size() * std::size_t(settings.trace.grid.layers()));
     std::vector<BakeTexel> texels = texels_of(atlas, which);
     const std::vector<bool> buried = buried_texels(impl_->paths, impl_->solids, entity, texels, above);

@@ -58,7 +58,7 @@ glm::vec3 colour(const HalfStack& stack, int x, int layer) {
 /// A row of texels at these points.
 HalfStack baked(const Scene& scene, const std::vector<MeshPoint>& points, const BakeOptions& options,
                 Side side = Side::front) {
-  HalfStack stack{int(points.size()), 1, options.grid, 1, {}};
+  HalfStack stack{int(points.size()), 1, options.grid, options.scale, {}};
   stack.texels.resize(points.size() * std::size_t(options.grid.layers()));
   std::vector<BakeTexel> texels;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -202,6 +202,17 @@ TEST(Bake, SamplesOfAnAreaLightAreRightOnAverage) {
     // Sobol points of a smooth function: far better than 1 / sqrt(1024).
     expect_near(colour(baked(scene, {floor_at(1, 1)}, options), 0, 0), exact, 2e-3f);
   }
+}
+
+TEST(Bake, KeepsSharesOfItsScale) {
+  const Scene scene = board_scene(glossy(0.5f, 20));
+  BakeOptions options;
+  const HalfStack plain = baked(scene, floor_points(), options);
+  options.scale = 4;  // which changes no digit of a half
+  const HalfStack scaled = baked(scene, floor_points(), options);
+  for (int layer = 0; layer < options.grid.layers(); ++layer)
+    for (int x = 0; x < plain.width; ++x)
+      EXPECT_EQ(4.0f * colour(scaled, x, layer), colour(plain, x, layer)) << x << " " << layer;
 }
 
 TEST(Bake, TellsOfRaysAndNoise) {
