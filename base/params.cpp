@@ -76,6 +76,35 @@ ParamValue converted(const ParamSpec& spec, const ParamValue& value, const std::
 
 }  // namespace
 
+ParamSpec boolean_param(std::string name, bool default_value, std::string doc) {
+  return {std::move(name), ParamType::boolean, default_value, 0, 0, {}, std::move(doc)};
+}
+
+ParamSpec integer_param(std::string name, long long default_value, long long min, long long max,
+                        std::string doc) {
+  return {std::move(name), ParamType::integer, default_value, double(min), double(max), {}, std::move(doc)};
+}
+
+ParamSpec number_param(std::string name, double default_value, double min, double max, std::string doc) {
+  return {std::move(name), ParamType::number, default_value, min, max, {}, std::move(doc)};
+}
+
+ParamSpec text_param(std::string name, std::string default_value, std::string doc) {
+  return {std::move(name), ParamType::text, std::move(default_value), 0, 0, {}, std::move(doc)};
+}
+
+ParamSpec choice_param(std::string name, std::vector<std::string> choices, std::string doc) {
+  std::string first = choices.front();
+  return choice_param(std::move(name), std::move(choices), std::move(first), std::move(doc));
+}
+
+ParamSpec choice_param(std::string name, std::vector<std::string> choices, std::string default_value,
+                       std::string doc) {
+  assert(std::ranges::find(choices, default_value) != choices.end());
+  return {std::move(name),    ParamType::choice, std::move(default_value), 0, 0,
+          std::move(choices), std::move(doc)};
+}
+
 const ParamValue& ParamValues::at(const std::string& name) const {
   const auto found = values_.find(name);
   assert(found != values_.end());

@@ -27,6 +27,17 @@ struct ParamSpec {
   std::string doc;
 };
 
+ParamSpec boolean_param(std::string name, bool default_value, std::string doc);
+ParamSpec integer_param(std::string name, long long default_value, long long min, long long max,
+                        std::string doc);
+ParamSpec number_param(std::string name, double default_value, double min, double max, std::string doc);
+ParamSpec text_param(std::string name, std::string default_value, std::string doc);
+/// The first choice is the default.
+ParamSpec choice_param(std::string name, std::vector<std::string> choices, std::string doc);
+/// As that, but for the default.
+ParamSpec choice_param(std::string name, std::vector<std::string> choices, std::string default_value,
+                       std::string doc);
+
 /// A named set of values that a variant may start from ("preset": "paper").
 struct ParamPreset {
   std::string name;

@@ -11,47 +11,17 @@ constexpr int kMaxCount = 1600;  // POV-Ray's table of directions
 
 std::span<const ParamSpec> pov_params() {
   static const std::vector<ParamSpec> specs = {
-      {"radiosity", ParamType::boolean, true, 0, 0, {}, "gather indirect light"},
-      {"brightness",
-       ParamType::number,
-       1.0,
-       0,
-       100,
-       {},
-       "factor of the gathered light; compounds with each bounce"},
-      {"recursion_limit", ParamType::integer, 2LL, 1, 20, {}, "bounces of indirect light"},
-      {"count", ParamType::integer, 250LL, 1, kMaxCount, {}, "rays of one gathering"},
-      {"error_bound",
-       ParamType::number,
-       0.25,
-       0.001,
-       100,
-       {},
-       "how far gathered values are reused; lower is finer"},
-      {"pretrace_start",
-       ParamType::number,
-       0.08,
-       0.0001,
-       1,
-       {},
-       "block size of the first pretrace, of the width"},
-      {"pretrace_end",
-       ParamType::number,
-       0.01,
-       0.0001,
-       1,
-       {},
-       "block size of the last pretrace, of the width"},
-      {"shadowless", ParamType::boolean, false, 0, 0, {}, "lights cast no shadows"},
-      {"estimate_noise",
-       ParamType::boolean,
-       false,
-       0,
-       0,
-       {},
-       "render a second time, with twice the rays and half the error bound, to tell how exact the reference "
-       "is; "
-       "takes about three times as long"},
+      boolean_param("radiosity", true, "gather indirect light"),
+      number_param("brightness", 1.0, 0, 100, "factor of the gathered light; compounds with each bounce"),
+      integer_param("recursion_limit", 2, 1, 20, "bounces of indirect light"),
+      integer_param("count", 250, 1, kMaxCount, "rays of one gathering"),
+      number_param("error_bound", 0.25, 0.001, 100, "how far gathered values are reused; lower is finer"),
+      number_param("pretrace_start", 0.08, 0.0001, 1, "block size of the first pretrace, of the width"),
+      number_param("pretrace_end", 0.01, 0.0001, 1, "block size of the last pretrace, of the width"),
+      boolean_param("shadowless", false, "lights cast no shadows"),
+      boolean_param("estimate_noise", false,
+                    "render a second time, with twice the rays and half the error bound, to tell how exact "
+                    "the reference is; takes about three times as long"),
   };
   return specs;
 }
@@ -62,8 +32,7 @@ std::span<const ParamPreset> pov_presets() {
       {"paper",
        {{"brightness", 2.4}, {"shadowless", true}},
        "the image-space-radiosity thesis, listing 9 as printed: no shadows, and too much light from the "
-       "second "
-       "bounce on"},
+       "second bounce on"},
       {"direct", {{"radiosity", false}}, "direct light and shadows only"},
   };
   return presets;

@@ -11,25 +11,14 @@ std::string path_tracer_version() {
 
 std::vector<ParamSpec> path_tracer_params() {
   const PathTracerOptions defaults;
-  const auto whole = [](auto value) { return ParamValue(static_cast<long long>(value)); };
   return {
-      {"bounces", ParamType::integer, whole(defaults.bounces), 0, 16, {}, "bounces of indirect light"},
-      {"samples",
-       ParamType::integer,
-       whole(defaults.samples),
-       2,
-       65536,
-       {},
-       "paths of each primary ray; with `noise`, the most"},
-      {"noise",
-       ParamType::number,
-       defaults.noise,
-       0,
-       255,
-       {},
-       "estimated mean error, of 255, at which a tile of the picture is done before it has all samples; 0: "
-       "never"},
-      {"seed", ParamType::integer, whole(defaults.seed), 0, 2147483647, {}, "of the random choices"},
+      integer_param("bounces", defaults.bounces, 0, 16, "bounces of indirect light"),
+      integer_param("samples", defaults.samples, 2, 65536,
+                    "paths of each primary ray; with `noise`, the most"),
+      number_param("noise", defaults.noise, 0, 255,
+                   "estimated mean error, of 255, at which a tile of the picture is done before it has all "
+                   "samples; 0: never"),
+      integer_param("seed", int(defaults.seed), 0, 2147483647, "of the random choices"),
   };
 }
 

@@ -67,51 +67,32 @@ const Row& row_called(std::span<const Row> rows, const std::string& name) {
 }  // namespace
 
 std::vector<ParamSpec> bake_params() {
-  const auto integer = [](const char* name, int value, int min, int max, const char* doc) {
-    return ParamSpec{name, ParamType::integer, static_cast<long long>(value), double(min), double(max), {},
-                     doc};
-  };
-  const auto number = [](const char* name, double value, double min, double max, const char* doc) {
-    return ParamSpec{name, ParamType::number, value, min, max, {}, doc};
-  };
-  const auto choice = [](const char* name, std::vector<std::string> choices, const std::string& value,
-                         const char* doc) {
-    return ParamSpec{name, ParamType::choice, value, 0, 0, std::move(choices), doc};
-  };
   const DirectionGrid grid;
   const BakeSettings settings;
   return {
-      integer("thetas", grid.thetas, 2, kMaxThetas,
-              "directions from the normal to the horizon; more where highlights are narrow"),
-      integer("phis", grid.phis, 1, kMaxPhis, "directions around the normal"),
-      choice("order", names_of(layer_orders()), name_of(grid.order),
-             "of a texel's directions; phi_serpentine: neighbours in the order are neighbours on the "
-             "hemisphere, "
-             "which compresses best"),
-      ParamSpec{
-          "sizes",
-          ParamType::text,
-          std::string(),
-          0,
-          0,
-          {},
-          "texels of objects: 'OBJECT=WIDTHxHEIGHT, ...'; OBJECT is a shell pattern of entity names, the "
-          "first that matches counts"},
-      number("density", settings.density, 0, 1e6,
-             "of other objects: texels along a unit of length; 0: as `texels` says"),
-      number("texels", settings.texels, 1, 1e9, "of all other objects of the scene together, about"),
-      choice("uvs", names_of(std::span<const UvsName>(kUvs)), kUvs[0].name,
-             "auto: the mesh's own texture coordinates where no two places of its surface share one, else "
-             "charts "
-             "that are packed anew; own, charts: always"),
-      number("scale", settings.trace.scale, 1e-3, 1e6,
-             "the radiance that 255 stands for where 8 bits are kept; what is brighter is cut off"),
-      integer("light_samples", settings.trace.light_samples, 0, 65536,
-              "on each area light, placed anew for each texel; 0: the fixed points that all other techniques "
-              "light with"),
-      integer("bounces", settings.trace.bounces, 0, 16, "of indirect light, over matte surfaces"),
-      integer("bounce_samples", settings.trace.bounce_samples, 2, 65536, "paths of each texel"),
-      integer("seed", int(settings.trace.seed), 0, 2147483647, "of all random choices"),
+      integer_param("thetas", grid.thetas, 2, kMaxThetas,
+                    "directions from the normal to the horizon; more where highlights are narrow"),
+      integer_param("phis", grid.phis, 1, kMaxPhis, "directions around the normal"),
+      choice_param("order", names_of(layer_orders()), name_of(grid.order),
+                   "of a texel's directions; phi_serpentine: neighbours in the order are neighbours on the "
+                   "hemisphere, which compresses best"),
+      text_param("sizes", "",
+                 "texels of objects: 'OBJECT=WIDTHxHEIGHT, ...'; OBJECT is a shell pattern of entity names, "
+                 "the first that matches counts"),
+      number_param("density", settings.density, 0, 1e6,
+                   "of other objects: texels along a unit of length; 0: as `texels` says"),
+      number_param("texels", settings.texels, 1, 1e9, "of all other objects of the scene together, about"),
+      choice_param("uvs", names_of(std::span<const UvsName>(kUvs)),
+                   "auto: the mesh's own texture coordinates where no two places of its surface share one, "
+                   "else charts that are packed anew; own, charts: always"),
+      number_param("scale", settings.trace.scale, 1e-3, 1e6,
+                   "the radiance that 255 stands for where 8 bits are kept; what is brighter is cut off"),
+      integer_param("light_samples", settings.trace.light_samples, 0, 65536,
+                    "on each area light, placed anew for each texel; 0: the fixed points that all other "
+                    "techniques light with"),
+      integer_param("bounces", settings.trace.bounces, 0, 16, "of indirect light, over matte surfaces"),
+      integer_param("bounce_samples", settings.trace.bounce_samples, 2, 65536, "paths of each texel"),
+      integer_param("seed", int(settings.trace.seed), 0, 2147483647, "of all random choices"),
   };
 }
 

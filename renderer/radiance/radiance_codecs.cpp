@@ -23,66 +23,30 @@ const RadianceCodec& radiance_codec(const ParamValues& params) {
 std::vector<ParamSpec> codec_params() {
   std::vector<std::string> names;
   for (const RadianceCodec& codec : radiance_codecs()) names.emplace_back(codec.name);
-  const std::string first = names.front();
   return {
-      {"codec", ParamType::choice, first, 0, 0, std::move(names),
-       "how radiance is kept; raw: 16-bit floats for each direction; piecewise: 8 bits, some directions of "
-       "each "
-       "texel and lines between them; pca: 8 bits, weights of a few functions of the direction"},
-      {"encoder",
-       ParamType::choice,
-       std::string("greedy"),
-       0,
-       0,
-       {"greedy", "paper"},
-       "of piecewise; greedy: the longest lines that keep the threshold; paper: the rule of the thesis, "
-       "which "
-       "bounds no error"},
-      {"threshold",
-       ParamType::integer,
-       6LL,
-       0,
-       765,
-       {},
-       "of piecewise: the sum of a value's errors over its three components, of 255 each, is below it; 0: "
-       "none"},
-      {"search",
-       ParamType::choice,
-       std::string("once"),
-       0,
-       0,
-       {"once", "binary", "linear"},
-       "of piecewise, for a texel's directions when drawing; linear: from the first one on, as in the "
-       "thesis; "
-       "binary; once: one binary search for two neighbours. All give the same picture"},
-      {"coefficients",
-       ParamType::integer,
-       24LL,
-       4,
-       64,
-       {},
-       "of pca: the most that a texel has, rounded up to an even number; fewer where the errors allow it"},
-      {"first_bits",
-       ParamType::choice,
-       std::string("8"),
-       0,
-       0,
-       {"8", "16"},
-       "of pca: of each of the first four coefficients; with 16 they show no steps"},
-      {"mean_error",
-       ParamType::number,
-       1.1,
-       0,
-       255,
-       {},
-       "of pca: the largest mean error, of 255, over what is not decoded as it was"},
-      {"error_99",
-       ParamType::number,
-       6.0,
-       0,
-       255,
-       {},
-       "of pca: the error, of 255, that 99 % of all values may not exceed"},
+      choice_param(
+          "codec", std::move(names),
+          "how radiance is kept; raw: 16-bit floats for each direction; piecewise: 8 bits, some directions "
+          "of each texel and lines between them; pca: 8 bits, weights of a few functions of the direction"),
+      choice_param("encoder", {"greedy", "paper"},
+                   "of piecewise; greedy: the longest lines that keep the threshold; paper: the rule of the "
+                   "thesis, which bounds no error"),
+      integer_param("threshold", 6, 0, 765,
+                    "of piecewise: the sum of a value's errors over its three components, of 255 each, is "
+                    "below it; 0: none"),
+      choice_param(
+          "search", {"once", "binary", "linear"},
+          "of piecewise, for a texel's directions when drawing; linear: from the first one on, as in the "
+          "thesis; binary; once: one binary search for two neighbours. All give the same picture"),
+      integer_param(
+          "coefficients", 24, 4, 64,
+          "of pca: the most that a texel has, rounded up to an even number; fewer where the errors allow it"),
+      choice_param("first_bits", {"8", "16"},
+                   "of pca: of each of the first four coefficients; with 16 they show no steps"),
+      number_param("mean_error", 1.1, 0, 255,
+                   "of pca: the largest mean error, of 255, over what is not decoded as it was"),
+      number_param("error_99", 6.0, 0, 255,
+                   "of pca: the error, of 255, that 99 % of all values may not exceed"),
   };
 }
 

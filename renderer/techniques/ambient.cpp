@@ -33,14 +33,8 @@ Technique ambient_technique() {
   technique.doc =
       "Direct lighting and a constant ambient light in proportion to the mean direct light in the picture.";
   technique.params = shadow_params();
-  technique.params.push_back(
-      {"k",
-       ParamType::number,
-       0.5,
-       0,
-       10,
-       {},
-       "ambient irradiance as a share of the mean direct irradiance of the object pixels"});
+  technique.params.push_back(number_param(
+      "k", 0.5, 0, 10, "ambient irradiance as a share of the mean direct irradiance of the object pixels"));
   technique.presets = {};
   technique.buffers = direct_buffers();
   technique.shaders = direct_shaders();

@@ -69,16 +69,11 @@ Technique images_technique() {
   Technique technique;
   technique.name = "images";
   technique.doc = "pictures of another engine, read from files and scored like any other variant";
-  technique.params = {
-      {"pattern",
-       ParamType::text,
-       std::string("renders/{scene}/{view}.png"),
-       0,
-       0,
-       {},
-       "path of a view's picture; {scene} and {view} stand for the names, in which bytes other than letters, "
-       "digits, '.', '_' and '-' become %XX; ${LIGHTBENCH_...} is an environment variable; relative to the "
-       "working directory. 8- and 16-bit files are taken as sRGB, EXR as linear light"}};
+  technique.params = {text_param(
+      "pattern", "renders/{scene}/{view}.png",
+      "path of a view's picture; {scene} and {view} stand for the names, in which bytes other than letters, "
+      "digits, '.', '_' and '-' become %XX; ${LIGHTBENCH_...} is an environment variable; relative to the "
+      "working directory. 8- and 16-bit files are taken as sRGB, EXR as linear light")};
   technique.needs_gl = false;
   technique.render = render_images;
   return technique;

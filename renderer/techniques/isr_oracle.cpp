@@ -17,13 +17,8 @@ std::vector<ParamSpec> oracle_params() {
   const std::vector<ParamSpec> isr = isr_params();
   std::vector<ParamSpec> rows;
   for (const char* name : kLimits) rows.push_back(*std::ranges::find(isr, name, &ParamSpec::name));
-  rows.push_back({"samples",
-                  ParamType::integer,
-                  256LL,
-                  2,
-                  65536,
-                  {},
-                  "rays that each pixel gathers with, rounded up to an even number"});
+  rows.push_back(integer_param("samples", 256, 2, 65536,
+                               "rays that each pixel gathers with, rounded up to an even number"));
   return rows;
 }
 

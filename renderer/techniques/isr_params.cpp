@@ -11,20 +11,6 @@ namespace {
 
 using Values = std::map<std::string, ParamValue>;
 
-ParamSpec choice(std::string name, std::vector<std::string> choices, std::string doc) {
-  ParamValue first = choices.front();
-  return {std::move(name), ParamType::choice, std::move(first), 0, 0, std::move(choices), std::move(doc)};
-}
-ParamSpec number(std::string name, double value, double min, double max, std::string doc) {
-  return {std::move(name), ParamType::number, value, min, max, {}, std::move(doc)};
-}
-ParamSpec integer(std::string name, long long value, int min, int max, std::string doc) {
-  return {std::move(name), ParamType::integer, value, double(min), double(max), {}, std::move(doc)};
-}
-ParamSpec boolean(std::string name, bool value, std::string doc) {
-  return {std::move(name), ParamType::boolean, value, 0, 0, {}, std::move(doc)};
-}
-
 /// The thesis's equations and constants; it does not say where the samples lie.
 Values paper_values() {
   return {{"weighting", "paper"}, {"source", "albedo"},       {"radius", 0.5},         {"spread", 0.5},
@@ -42,104 +28,111 @@ Values with(Values values, const Values& more) {
 
 std::vector<ParamSpec> isr_params() {
   std::vector<ParamSpec> rows{
-      choice("weighting", {"area", "paper"},
-             "area: each sample stands for the surface that its share of the kernel covers, and what is "
-             "gathered is multiplied by the albedo at full resolution; paper: eq. 25 as printed, with one "
-             "coarse pixel as patch"),
-      choice(
+      choice_param("weighting", {"area", "paper"},
+                   "area: each sample stands for the surface that its share of the kernel covers, and what "
+                   "is gathered is multiplied by the albedo at full resolution; paper: eq. 25 as printed, "
+                   "with one coarse pixel as patch"),
+      choice_param(
           "source", {"lit", "diffuse", "albedo"},
           "what a sample sends out: lit: the direct picture with emission and highlights; diffuse: without "
           "highlights, which shine elsewhere than to the camera; albedo: unlit colour, as in the thesis"),
-      choice("visibility", {"none", "bitmask"},
-             "none: samples round a pixel, whatever stands between, as in the thesis; bitmask: planes "
-             "through the "
-             "camera are searched outwards, and what is found hides what lies behind it. The parameters from "
-             "`slices` to `unknown` are for bitmask alone, those from `samples` to `far_block` and the form "
-             "factor's "
-             "for none"),
-      integer("slices", 2, 1, 64, "planes through the camera that are searched, to both sides"),
-      integer("steps", 16, 1, 256, "on each side of a slice, all around the camera"),
-      number("step_exponent", 2.0, 1.0, 6.0,
-             "of the steps' angles: 1 is even, more crowds them round the receiver"),
-      number("thickness", 0.0, 0.0, 10.0,
-             "how far surfaces go on behind what is seen of them, as a share of the distance; what they hide "
-             "there is "
-             "unknown"),
-      number("guard", 1.0, 1.0, 4.0,
-             "how many times as wide as the frame the picture is that is gathered from"),
-      integer("guard_resolution", 2, 1, 16, "pixels of the frame along the edge of a texel of that picture"),
-      integer("layers", 1, 1, 8, "surfaces that are kept along a ray, nearest first"),
-      choice("layer_faces", {"front", "all"},
-             "which surfaces behind the first one are kept: those that face the camera as they were "
-             "modelled, or all: then a ray that ends before its last layer is known to meet nothing but the "
-             "background"),
-      choice("cameras", {"none", "cube"},
-             "cube: six more pictures all around the camera, gathered from where the wide picture does not "
-             "reach"),
-      integer("camera_size", 64, 8, 2048, "texels along an edge of each of the six"),
-      boolean("shared_shadows", false,
-              "light what is gathered from with the frame's own shadow maps, which are then fitted to both: "
-              "faster, with coarser shadows"),
-      integer("bounces", 1, 1, kMaxBounces,
-              "of indirect light; all but the last are gathered for what is gathered from"),
-      integer("bounce_slices", 2, 1, 64, "slices of the bounces before the last"),
-      integer("bounce_resolution", 4, 1, 16,
-              "texels of what is gathered from, along an edge, for which those bounces are gathered once"),
-      integer("bounce_steps", 24, 1, 256, "steps of the bounces before the last"),
-      choice("unknown", {"black", "ambient"},
-             "what comes from directions in which nothing was seen: nothing, or the mean of the others"),
-      integer("samples", 48, 1, kMaxKernelSamples, "samples gathered for each coarse pixel"),
-      choice(
-          "pattern", {"spiral", "jittered", "grid"},
-          "spiral: golden angle, in a disc of `radius`; jittered: at random in the same rings, one in each "
-          "and one in each of as many sectors; grid: the square of coarse pixels around it, "
-          "`spacing` apart, for 8, 24, 48, 80, ... samples"),
-      number(
+      choice_param("visibility", {"none", "bitmask"},
+                   "none: samples round a pixel, whatever stands between, as in the thesis; bitmask: planes "
+                   "through the camera are searched outwards, and what is found hides what lies behind it. "
+                   "The parameters from `slices` to `unknown` are for bitmask alone, those from `samples` to "
+                   "`far_block` and the form factor's for none"),
+      integer_param("slices", 2, 1, 64, "planes through the camera that are searched, to both sides"),
+      integer_param("steps", 16, 1, 256, "on each side of a slice, all around the camera"),
+      number_param("step_exponent", 2.0, 1.0, 6.0,
+                   "of the steps' angles: 1 is even, more crowds them round the receiver"),
+      number_param("thickness", 0.0, 0.0, 10.0,
+                   "how far surfaces go on behind what is seen of them, as a share of the distance; what "
+                   "they hide there is unknown"),
+      number_param("guard", 1.0, 1.0, 4.0,
+                   "how many times as wide as the frame the picture is that is gathered from"),
+      integer_param("guard_resolution", 2, 1, 16,
+                    "pixels of the frame along the edge of a texel of that picture"),
+      integer_param("layers", 1, 1, 8, "surfaces that are kept along a ray, nearest first"),
+      choice_param(
+          "layer_faces", {"front", "all"},
+          "which surfaces behind the first one are kept: those that face the camera as they were modelled, "
+          "or all: then a ray that ends before its last layer is known to meet nothing but the background"),
+      choice_param("cameras", {"none", "cube"},
+                   "cube: six more pictures all around the camera, gathered from where the wide picture does "
+                   "not reach"),
+      integer_param("camera_size", 64, 8, 2048, "texels along an edge of each of the six"),
+      boolean_param("shared_shadows", false,
+                    "light what is gathered from with the frame's own shadow maps, which are then fitted to "
+                    "both: faster, with coarser shadows"),
+      integer_param("bounces", 1, 1, kMaxBounces,
+                    "of indirect light; all but the last are gathered for what is gathered from"),
+      integer_param("bounce_slices", 2, 1, 64, "slices of the bounces before the last"),
+      integer_param(
+          "bounce_resolution", 4, 1, 16,
+          "texels of what is gathered from, along an edge, for which those bounces are gathered once"),
+      integer_param("bounce_steps", 24, 1, 256, "steps of the bounces before the last"),
+      choice_param(
+          "unknown", {"black", "ambient"},
+          "what comes from directions in which nothing was seen: nothing, or the mean of the others"),
+      integer_param("samples", 48, 1, kMaxKernelSamples, "samples gathered for each coarse pixel"),
+      choice_param("pattern", {"spiral", "jittered", "grid"},
+                   "spiral: golden angle, in a disc of `radius`; jittered: at random in the same rings, one "
+                   "in each and one in each of as many sectors; grid: the square of coarse pixels around it, "
+                   "`spacing` apart, for 8, 24, 48, 80, ... samples"),
+      number_param(
           "samples_by_depth", 0.0, 0.0, 2.0,
           "near pixels take more samples (steps, with visibility) than far ones, from 1/4 to 4 times as "
           "many: they go with the distance to the power of minus this, and their mean stays; 0: all alike"),
-      number("radius", 1.0, 0.001, 4.0, "of the disc, in widths of the image"),
-      number("spread", 1.5, 0.25, 4.0,
-             "exponent of the samples' distances: 0.5 is uniform in area, more crowds samples at the centre, "
-             "where they weigh most"),
-      number("spacing", 1.0, 1.0, 256.0, "of the grid, in coarse pixels"),
-      choice("rotation", {"tiled", "random", "none"},
-             "how the kernel is turned from pixel to pixel: in 64 steps and slightly scaled, in an order "
-             "that repeats every 8x8 pixels and that the blur removes; by a hash of the place; not at all"),
-      integer("far_block", 4, 1, 16,
-              "edge of the blocks of coarse pixels that samples read where they stand for at least 16 such "
-              "blocks: faster, and with less noise; 1: all read coarse pixels, as with weighting paper"),
-      choice("form_factor", {"point", "disc"},
-             "cos cos dA / (pi r^2), which has no bias; or cos cos dA / (pi r^2 + dA), which has no peaks "
-             "but loses light with few samples"),
-      number("form_factor_limit", 4.0, 0.001, 1e6,
-             "largest form factor of one sample: bounds peaks; 1 and less cost light where samples are few"),
-      boolean("energy_bound", true,
-              "where the form factors around a pixel add up to more than 1 after the blur, scale them to 1"),
-      number("min_view_cosine", 0.05, 0.001, 1.0,
-             "smallest cosine to the view that a sample's area is divided by"),
-      boolean("background", true,
-              "gather the scene's background where samples land on it, if it lights: each share is a piece "
-              "of the surrounding sphere as the camera sees it"),
-      integer("resolution", 2, 1, 8, "pixels along the edge of a coarse pixel"),
-      choice("blur", {"bilateral", "gaussian", "none"}, "of the gathered light, separable"),
-      integer("blur_radius", 6, 1, 32, "coarse pixels to each side; sigma is half of it and a half more"),
-      number("blur_plane", 0.02, 1e-5, 10.0,
-             "bilateral blur: distance from the tangent plane, as a share of the depth, at which a weight is "
-             "1/e"),
-      number("upsample_epsilon", 0.01, 1e-6, 10.0,
-             "added to the difference in depth, as a share of the depth, that weights are divided by"),
-      number("upsample_tolerance", 0.1, 1e-6, 1e6,
-             "share of the depth by which a coarse pixel may differ; where none fits, the nearest counts"),
-      number("occlusion_radius", 0.02, 0.001, 4.0,
-             "of the kernel of eq. 26, the ambient occlusion, in widths of the image"),
-      number("occluder_radius", 2.0, 0.01, 1000.0, "of a sample's sphere in eq. 26, in pixels at its depth"),
-      number("k_isr", 1.0, 0.0, 1000.0, "factor of the indirect light in eq. 29"),
-      number("k_ssao", 0.0, 0.0, 1.0,
-             "power of the ambient occlusion over direct light in eq. 29; with visibility the occlusion is "
-             "what of the mask is covered by surfaces nearer than `occlusion_radius`, the nearest most"),
-      choice("normals", {"octahedral16", "rgb8"}, "how the G-buffer keeps normals; rgb8: eq. 22"),
-      boolean("direct", true, "show direct light too; else indirect light alone, over black"),
+      number_param("radius", 1.0, 0.001, 4.0, "of the disc, in widths of the image"),
+      number_param("spread", 1.5, 0.25, 4.0,
+                   "exponent of the samples' distances: 0.5 is uniform in area, more crowds samples at the "
+                   "centre, where they weigh most"),
+      number_param("spacing", 1.0, 1.0, 256.0, "of the grid, in coarse pixels"),
+      choice_param(
+          "rotation", {"tiled", "random", "none"},
+          "how the kernel is turned from pixel to pixel: in 64 steps and slightly scaled, in an order that "
+          "repeats every 8x8 pixels and that the blur removes; by a hash of the place; not at all"),
+      integer_param(
+          "far_block", 4, 1, 16,
+          "edge of the blocks of coarse pixels that samples read where they stand for at least 16 such "
+          "blocks: faster, and with less noise; 1: all read coarse pixels, as with weighting paper"),
+      choice_param("form_factor", {"point", "disc"},
+                   "cos cos dA / (pi r^2), which has no bias; or cos cos dA / (pi r^2 + dA), which has no "
+                   "peaks but loses light with few samples"),
+      number_param(
+          "form_factor_limit", 4.0, 0.001, 1e6,
+          "largest form factor of one sample: bounds peaks; 1 and less cost light where samples are few"),
+      boolean_param(
+          "energy_bound", true,
+          "where the form factors around a pixel add up to more than 1 after the blur, scale them to 1"),
+      number_param("min_view_cosine", 0.05, 0.001, 1.0,
+                   "smallest cosine to the view that a sample's area is divided by"),
+      boolean_param("background", true,
+                    "gather the scene's background where samples land on it, if it lights: each share is a "
+                    "piece of the surrounding sphere as the camera sees it"),
+      integer_param("resolution", 2, 1, 8, "pixels along the edge of a coarse pixel"),
+      choice_param("blur", {"bilateral", "gaussian", "none"}, "of the gathered light, separable"),
+      integer_param("blur_radius", 6, 1, 32,
+                    "coarse pixels to each side; sigma is half of it and a half more"),
+      number_param("blur_plane", 0.02, 1e-5, 10.0,
+                   "bilateral blur: distance from the tangent plane, as a share of the depth, at which a "
+                   "weight is 1/e"),
+      number_param("upsample_epsilon", 0.01, 1e-6, 10.0,
+                   "added to the difference in depth, as a share of the depth, that weights are divided by"),
+      number_param(
+          "upsample_tolerance", 0.1, 1e-6, 1e6,
+          "share of the depth by which a coarse pixel may differ; where none fits, the nearest counts"),
+      number_param("occlusion_radius", 0.02, 0.001, 4.0,
+                   "of the kernel of eq. 26, the ambient occlusion, in widths of the image"),
+      number_param("occluder_radius", 2.0, 0.01, 1000.0,
+                   "of a sample's sphere in eq. 26, in pixels at its depth"),
+      number_param("k_isr", 1.0, 0.0, 1000.0, "factor of the indirect light in eq. 29"),
+      number_param(
+          "k_ssao", 0.0, 0.0, 1.0,
+          "power of the ambient occlusion over direct light in eq. 29; with visibility the occlusion is what "
+          "of the mask is covered by surfaces nearer than `occlusion_radius`, the nearest most"),
+      choice_param("normals", {"octahedral16", "rgb8"}, "how the G-buffer keeps normals; rgb8: eq. 22"),
+      boolean_param("direct", true, "show direct light too; else indirect light alone, over black"),
   };
   for (ParamSpec& row : shadow_params()) rows.push_back(std::move(row));
   return rows;

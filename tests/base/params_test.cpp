@@ -11,10 +11,10 @@ namespace {
 using ::testing::HasSubstr;
 
 const std::vector<ParamSpec> kSpecs = {
-    {"samples", ParamType::integer, 48LL, 1, 4096, {}, ""},
-    {"radius", ParamType::number, 0.5, 0, 10, {}, ""},
-    {"shadows", ParamType::choice, std::string("hard"), 0, 0, {"none", "hard", "esm"}, ""},
-    {"paper_normals", ParamType::boolean, false, 0, 0, {}, ""},
+    integer_param("samples", 48, 1, 4096, ""),
+    number_param("radius", 0.5, 0, 10, ""),
+    choice_param("shadows", {"none", "hard", "esm"}, "hard", ""),
+    boolean_param("paper_normals", false, ""),
 };
 const std::vector<ParamPreset> kPresets = {{"soft", {{"shadows", std::string("esm")}, {"radius", 2LL}}, ""}};
 
