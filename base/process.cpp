@@ -19,13 +19,12 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/stopwatch.h"
 
 namespace lightbench {
 namespace asio = boost::asio;
 namespace bp = boost::process;
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr auto kKillDelay = std::chrono::seconds(2);
 /// A child's own children may hold its pipes open; after its end they get this long.
@@ -105,7 +104,7 @@ struct ProcessLoop::Impl {
     bp::group group;
     LineHandler on_line;
     ExitHandler on_exit;
-    Clock::time_point started = Clock::now();
+    Stopwatch watch;
     std::size_t keep_output = 0;
     std::chrono::nanoseconds processor_time{0};
     int idle_looks = 0;
@@ -232,7 +231,7 @@ void ProcessLoop::Impl::reap() {
     auto& result = current->result;
     result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     result.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    result.seconds = std::chrono::duration<double>(Clock::now() - current->started).count();
+    result.seconds = current->watch.seconds();
     result.cpu_seconds = cpu_seconds_of(usage);
     ::killpg(current->group.native_handle(), SIGKILL);
     current->child.detach();

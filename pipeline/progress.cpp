@@ -10,10 +10,6 @@
 namespace lightbench {
 namespace {
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 const char* state_text(TaskState state) {
   switch (state) {
     case TaskState::done:
@@ -35,7 +31,7 @@ Progress::Style Progress::style_of(std::FILE* stream) {
 
 void Progress::begin(const Schedule& schedule) {
   schedule_ = &schedule;
-  start_ = std::chrono::steady_clock::now();
+  watch_ = Stopwatch();
   cached_ = schedule.count(TaskState::cached);
   const std::size_t waiting = schedule.count(TaskState::waiting);
   line(fmt::format("{} to do, {} there already; expected {} on {}", counted(waiting, "task"), cached_,
@@ -44,7 +40,7 @@ void Progress::begin(const Schedule& schedule) {
 
 void Progress::started(const Task& task) {
   latest_ = task.id;
-  running_[&task] = std::chrono::steady_clock::now();
+  running_[&task] = Stopwatch();
   tick();
 }
 
@@ -83,7 +79,7 @@ void Progress::tick() {
 void Progress::finish() {
   tell_repeated();
   if (style_ == Style::terminal) std::fprintf(stream_, "\r\x1b[K");
-  const double seconds = seconds_since(start_);
+  const double seconds = watch_.seconds();
   if (schedule_)
     line(fmt::format("{} done, {} there already, {} failed, {} skipped in {}",
                      schedule_->count(TaskState::done), schedule_->count(TaskState::cached),
@@ -104,8 +100,8 @@ double Progress::remaining_seconds() const {
   for (const TaskKind kind : {TaskKind::bake, TaskKind::compress, TaskKind::snapshot, TaskKind::export_,
                               TaskKind::reference, TaskKind::score})
     total += pace(kind) * schedule_->remaining_seconds(kind);
-  for (const auto& [task, start] : running_)
-    total -= std::min(seconds_since(start), pace(task->kind) * schedule_->seconds(*task));
+  for (const auto& [task, watch] : running_)
+    total -= std::min(watch.seconds(), pace(task->kind) * schedule_->seconds(*task));
   return std::max(total, 0.0) / places_;
 }
 
@@ -114,7 +110,7 @@ std::string Progress::status() const {
   const std::size_t done = schedule_->count(TaskState::done);
   const std::size_t failed = schedule_->count(TaskState::failed);
   const std::size_t open = schedule_->count(TaskState::waiting) + schedule_->count(TaskState::running);
-  const double seconds = seconds_since(start_);
+  const double seconds = watch_.seconds();
   const std::string failures = failed ? fmt::format(", {} failed", failed) : "";
   return fmt::format(" [{}/{}{}, {}, about {} to go]", done + failed, done + failed + open, failures,
                      duration_text(seconds), duration_text(remaining_seconds()));

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <chrono>
 #include <cstdio>
 #include <map>
 #include <string>
 
+#include "base/stopwatch.h"
 #include "pipeline/executor.h"
 
 namespace lightbench {
@@ -40,10 +40,10 @@ class Progress : public Watcher {
   Style style_;
   int places_;
   const Schedule* schedule_ = nullptr;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
   std::size_t cached_ = 0;
   std::map<TaskKind, Pace> paces_;  ///< of the tasks that this run ended
-  std::map<const Task*, std::chrono::steady_clock::time_point> running_;
+  std::map<const Task*, Stopwatch> running_;
   std::string latest_;
   std::string last_failure_;
   std::size_t repeated_ = 0;  ///< failures after it with the same message

@@ -1,7 +1,6 @@
 #include "pipeline/run_job.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <thread>
 
@@ -10,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/stopwatch.h"
 #include "pipeline/concrete.h"
 #include "pipeline/executor.h"
 #include "pipeline/gather.h"
@@ -126,14 +126,14 @@ void bake_job(const Job& job, const RunOptions& options) {
 }
 
 ExitCode run_job(const Job& job, const RunOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const std::string started = utc_now();
   StartedRun run(job, options);
   const std::vector<bool> selected = selection(run.prepared.plan, run.ledger, options);
   const auto outcomes = run.execute_tasks(selected);
   RunReport report = gather_report(run.prepared.plan, run.prepared.facts, outcomes, selected);
   report.started = started;
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.seconds = watch.seconds();
   write_reports(report, run.out);
   print_end(report, run.out, run.interrupted);
   return run.interrupted ? ExitCode::task_failed : exit_code_of(report, outcomes, selected);

@@ -1,7 +1,6 @@
 #include "pipeline/work.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include "base/hash.h"
 #include "base/image_io.h"
 #include "base/process.h"
+#include "base/stopwatch.h"
 #include "pipeline/concrete.h"
 #include "pipeline/plan_file.h"
 #include "pipeline/score.h"
@@ -24,10 +24,6 @@
 
 namespace lightbench {
 namespace {
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// The parts of a task's key that its export should give again.
 void check_same_export(const Task& task, const KeyParts& made) {
@@ -109,11 +105,11 @@ TaskResult TaskWorker::Impl::bake(const Task& task) {
   load(task);
   if (!baker) baker = std::make_unique<ObjectBaker>(scene);
   const JobVariant& variant = job().variants[std::size_t(task.variant)];
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const double cpu_start = own_cpu_seconds();
   const ObjectBake baked = baker->bake(std::size_t(task.object), bake_settings(variant_params(variant)));
   TaskResult result;
-  result.seconds = seconds_since(start);
+  result.seconds = watch.seconds();
   result.cpu_seconds = own_cpu_seconds() - cpu_start;
   result.noise = baked.news.noise;
   for (const RayRate& rate : baked.news.rays)
@@ -147,12 +143,12 @@ TaskResult TaskWorker::Impl::snapshot(const Task& task) {
     request.baked = file(compressed_folder(job(), task.scene, variant));
   const auto buffers = variant_buffers(job(), variant);
   request.buffers.insert(buffers.begin(), buffers.end());
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const double cpu_start = own_cpu_seconds();
   FrameResult frame =
       renderer->render(find_technique(variant.technique, ""), variant_params(variant), request);
   TaskResult result;
-  result.seconds = seconds_since(start);
+  result.seconds = watch.seconds();
   result.cpu_seconds = own_cpu_seconds() - cpu_start;
   for (const auto& pass : frame.passes) result.passes.push_back({pass.name, pass.seconds});
   result.warnings = frame.warnings;
@@ -227,7 +223,7 @@ TaskResult TaskWorker::Impl::score(const Task& task) {
     request.previous_reference = file(image_stem(job(), task.scene, int(*before), reference) + ".exr");
   }
   request.metrics = job().metrics;
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const Score score = compute_score(request);
   const std::string stem = score_stem(job(), task.scene, task.view, variant, reference);
   TaskResult result;
@@ -241,7 +237,7 @@ TaskResult TaskWorker::Impl::score(const Task& task) {
     else if (output.ends_with(".diff.png"))
       write_png(file(output), difference_image(score.baseline, score.image));
   }
-  result.seconds = seconds_since(start);
+  result.seconds = watch.seconds();
   return result;
 }
 
@@ -249,7 +245,7 @@ TaskWorker::TaskWorker(const Plan& plan) : impl_(std::make_unique<Impl>(plan)) {
 TaskWorker::~TaskWorker() = default;
 
 TaskResult TaskWorker::work(const Task& task) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   TaskResult result;
   switch (task.kind) {
     case TaskKind::bake:
@@ -271,7 +267,7 @@ TaskResult TaskWorker::work(const Task& task) {
       result = impl_->score(task);
       break;
   }
-  if (result.seconds == 0) result.seconds = seconds_since(start);
+  if (result.seconds == 0) result.seconds = watch.seconds();
   for (const auto& output : task.outputs) result.outputs[output];
   for (auto& [file, hash] : result.outputs) hash = hash_file(impl_->file(file));
   return result;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 
 #include <glad/gl.h>
 
+#include "base/stopwatch.h"
 #include "renderer/gpu_scene.h"
 #include "renderer/radiance/radiance_cache.h"
 #include "renderer/shadow_map.h"
@@ -52,13 +52,11 @@ const Program& FrameContext::fullscreen_program(const std::string& fragment, con
 }
 
 void FrameContext::pass(const std::string& name, const std::function<void()>& draw) {
-  using Clock = std::chrono::steady_clock;
   glFinish();
-  const auto start = Clock::now();
+  const Stopwatch watch;
   draw();
   glFinish();
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  add_pass_time(name, seconds);
+  add_pass_time(name, watch.seconds());
 }
 
 void FrameContext::add_pass_time(const std::string& name, double seconds) {

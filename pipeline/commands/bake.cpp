@@ -1,4 +1,3 @@
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
@@ -8,7 +7,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "base/files.h"
+#include "base/stopwatch.h"
 #include "pipeline/bake_folder.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/view_options.h"
@@ -64,10 +63,6 @@ class ProgressLine {
   int last_ = -1;
 };
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 std::string tell(const ObjectBake& baked, double seconds) {
   const HalfStack& stack = baked.stack;
   double rays = 0;
@@ -103,14 +98,14 @@ ExitCode run_bake(const BakeParams& params) {
       std::printf("%s: there already\n", name.c_str());
       continue;
     }
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     ObjectBake baked;
     {
       ProgressLine line(name);
       baked = baker.bake(entity, settings, [&](double share) { line(share); });
     }
     write_radiance(file, baked.stack);
-    std::printf("%s: %s\n", name.c_str(), tell(baked, seconds_since(start)).c_str());
+    std::printf("%s: %s\n", name.c_str(), tell(baked, watch.seconds()).c_str());
     std::fflush(stdout);
   }
   std::printf("%s\n", folder.c_str());

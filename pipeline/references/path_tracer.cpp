@@ -1,8 +1,7 @@
 #include "pipeline/references/path_tracer.h"
 
-#include <chrono>
-
 #include "base/process.h"
+#include "base/stopwatch.h"
 #include "renderer/path_tracer.h"
 
 namespace lightbench {
@@ -16,14 +15,13 @@ std::map<std::string, double> rates_of(const std::vector<RayRate>& rays) {
 }
 
 ReferenceImage run_path_tracer(const ReferenceRequest& request, const Scene& scene) {
-  using Clock = std::chrono::steady_clock;
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const double cpu_start = own_cpu_seconds();
   PathTracedImage made = trace_paths(scene, request.view, request.width, request.height, request.samples,
                                      path_tracer_options(request.params));
   ReferenceImage result;
   result.image = std::move(made.image);
-  result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  result.seconds = watch.seconds();
   result.cpu_seconds = own_cpu_seconds() - cpu_start;
   result.noise = made.noise;
   result.ray_rates = rates_of(made.rays);

@@ -1,28 +1,27 @@
 #include "renderer/paths/ray_queues.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <limits>
+
+#include "base/stopwatch.h"
 
 namespace lightbench {
 namespace {
 
 constexpr int kShadowRays = 2048;
 
-class Stopwatch {
+/// Adds rays and the time while it lives to a tally.
+class RayTimer {
  public:
-  explicit Stopwatch(RayTally& tally, int rays) : tally_(tally), start_(Clock::now()) {
-    tally_.rays += std::uint64_t(rays);
-  }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-  ~Stopwatch() { tally_.seconds += std::chrono::duration<double>(Clock::now() - start_).count(); }
+  explicit RayTimer(RayTally& tally, int rays) : tally_(tally) { tally_.rays += std::uint64_t(rays); }
+  RayTimer(const RayTimer&) = delete;
+  RayTimer& operator=(const RayTimer&) = delete;
+  ~RayTimer() { tally_.seconds += watch_.seconds(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
   RayTally& tally_;
-  Clock::time_point start_;
+  Stopwatch watch_;
 };
 
 void set_packet(RTCRay8& packet, const Rays8& rays, Float8 near, Float8 far) {
@@ -61,7 +60,7 @@ void set_valid(int (&valid)[kLanes], int count) {
 
 RTCRayHit8 closest_hits(RTCScene scene, const Rays8& rays, Float8 near, Float8 far, Int8 mask,
                         RayTally& tally) {
-  const Stopwatch watch(tally, __builtin_popcount(bits_of(mask)));
+  const RayTimer timer(tally, __builtin_popcount(bits_of(mask)));
   RTCRayHit8 packet;
   prepare(packet.ray);
   set_packet(packet.ray, rays, near, far);
@@ -88,7 +87,7 @@ void HitQueue::set(int index, const Rays8& rays) {
 }
 
 void HitQueue::trace(RTCScene scene, RayTally& tally) {
-  const Stopwatch watch(tally, size_);
+  const RayTimer timer(tally, size_);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   alignas(32) int valid[kLanes];
@@ -131,7 +130,7 @@ void ShadowQueue::flush() {
 }
 
 void ShadowQueue::trace(int packets) {
-  const Stopwatch watch(tally_, size_);
+  const RayTimer timer(tally_, size_);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   alignas(32) int valid[kLanes];

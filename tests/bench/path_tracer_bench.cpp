@@ -1,11 +1,11 @@
 // The path tracer against a plain loop over single rays that makes the same picture, one after the other in
 // the same iteration: `speedup` is of whole frames, the rest is the path tracer's rays per second by class.
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 
 #include <benchmark/benchmark.h>
 
+#include "base/stopwatch.h"
 #include "renderer/path_tracer.h"
 #include "scene/camera_script.h"
 #include "scene/scene_file.h"
@@ -14,12 +14,7 @@
 namespace lightbench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr int kWidth = 192, kHeight = 144;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 double mean_difference(const Image& image, const std::vector<glm::vec3>& pixels) {
   double sum = 0;
@@ -44,12 +39,12 @@ void path_tracer(benchmark::State& state, const char* scene_file, const char* ca
   PathTracedImage image;
   std::vector<glm::vec3> pixels;
   for (auto _ : state) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     image = trace_paths(scene, view, kWidth, kHeight, 1, options);
-    const double seconds = seconds_since(start);
-    const auto plain_start = Clock::now();
+    const double seconds = watch.seconds();
+    const Stopwatch plain_watch;
     pixels = bench::plain_path_trace(scene, view, kWidth, kHeight, options);
-    plain += seconds_since(plain_start);
+    plain += plain_watch.seconds();
     ours += seconds;
     state.SetIterationTime(seconds);
   }
