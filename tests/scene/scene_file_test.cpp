@@ -1,6 +1,5 @@
 #include "scene/scene_file.h"
 
-#include <cmath>
 #include <cstdlib>
 
 #include <glm/geometric.hpp>
@@ -18,29 +17,9 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// The scene of one square with more keys beside "entities", and more keys in the entity.
-LoadedScene load(const SceneTestFiles& files, const std::string& keys, const std::string& entity_keys = "") {
-  files.write("m.obj", kSquareObj);
-  return load_scene_collecting(files.write(
-      "s.json", R"({"entities": [{"name": "e", "obj": "m.obj")" + entity_keys + "}]" + keys + "}"));
-}
-
-std::string problems_of(const std::string& keys, const std::string& entity_keys = "") {
-  const SceneTestFiles files;
-  return described(load(files, keys, entity_keys), files);
-}
-
-// Where the square's corner (1, 0, 0), (1, 1, 0) and so on come to be.
-glm::vec3 placed(const std::string& entity_keys, const glm::vec3& p) {
-  const SceneTestFiles files;
-  const LoadedScene loaded = load(files, "", entity_keys);
-  EXPECT_EQ(error_count(loaded), 0u) << described(loaded, files);
-  return glm::vec3(loaded.scene.entities.at(0).transform * glm::vec4(p, 1));
-}
-
 TEST(SceneFile, LoadsEntitiesOfObjFiles) {
   const SceneTestFiles files;
-  const LoadedScene loaded = load(files, R"(, "name": "test")");
+  const LoadedScene loaded = load_square(files, R"(, "name": "test")");
   EXPECT_EQ(loaded.scene.name, "test");
   ASSERT_EQ(loaded.scene.entities.size(), 1u);
   EXPECT_EQ(loaded.scene.entities[0].name, "e");
@@ -50,7 +29,7 @@ TEST(SceneFile, LoadsEntitiesOfObjFiles) {
 
 TEST(SceneFile, TakesItsNameFromTheFileWhereItHasNone) {
   const SceneTestFiles files;
-  EXPECT_EQ(load(files, "").scene.name, "s");
+  EXPECT_EQ(load_square(files, "").scene.name, "s");
 }
 
 TEST(SceneFile, LoadsAnObjOnceHoweverManyEntitiesNameIt) {
@@ -100,32 +79,6 @@ TEST(SceneFile, AnUnsetVariableIsAnErrorOfItsKey) {
       files.write("s.json", R"({"entities": [{"obj": "${LIGHTBENCH_UNSET_X}/m.obj"}]})"));
   EXPECT_THAT(described(loaded, files),
               AllOf(HasSubstr("error s.json: $.entities[0].obj"), HasSubstr("LIGHTBENCH_UNSET_X")));
-}
-
-TEST(SceneFile, TurnsZUpModels) {
-  EXPECT_EQ(placed(R"(, "up": "z")", {1, 2, 3}), glm::vec3(1, 3, -2));
-}
-
-TEST(SceneFile, ScalesThenRotatesAboutXYZThenTranslates) {
-  EXPECT_EQ(placed(R"(, "transform": {"scale": 2})", {1, 1, 1}), glm::vec3(2, 2, 2));
-  EXPECT_EQ(placed(R"(, "transform": {"rotate": [90, 0, 0]})", {0, 1, 0}), glm::vec3(0, 0, 1));
-  EXPECT_EQ(placed(R"(, "transform": {"rotate": [0, 90, 0]})", {1, 0, 0}), glm::vec3(0, 0, -1));
-  EXPECT_EQ(placed(R"(, "transform": {"rotate": [0, 0, 90]})", {1, 0, 0}), glm::vec3(0, 1, 0));
-  EXPECT_EQ(placed(R"(, "transform": {"translate": [10, 0, 0], "rotate": [90, 90, 0], "scale": [1, 2, 1]})",
-                   {0, 1, 0}),
-            glm::vec3(12, 0, 0));
-}
-
-TEST(SceneFile, ReadsMatricesRowByRow) {
-  EXPECT_EQ(placed(R"(, "transform": {"matrix": [0,-1,0,5, 1,0,0,6, 0,0,1,7, 0,0,0,1]})", {1, 0, 0}),
-            glm::vec3(5, 7, 7));
-}
-
-TEST(SceneFile, FitsAModelIntoASizeOnItsFootprint) {
-  // The unit square, z-up, lies on the ground: its extent in y is 0 and stays so.
-  const std::string keys = R"(, "up": "z", "size": [4, 1, 6], "transform": {"translate": [100, 5, 0]})";
-  EXPECT_EQ(placed(keys, {0, 0, 0}), glm::vec3(98, 5, 3));
-  EXPECT_EQ(placed(keys, {1, 1, 0}), glm::vec3(102, 5, -3));
 }
 
 TEST(SceneFile, MakesBoxesWithTheirMaterial) {
@@ -189,7 +142,7 @@ TEST(SceneFile, AnOverrideOfNothingIsAProblem) {
 
 TEST(SceneFile, ReadsAllKindsOfLights) {
   const SceneTestFiles files;
-  const auto loaded = load(files, R"(, "lights": [
+  const auto loaded = load_square(files, R"(, "lights": [
       {"name": "p", "type": "point", "position": [1, 2, 3], "color": [0.5, 1, 2], "power": 3,
        "attenuation": {"type": "fade", "distance": 4, "power": 1.5}},
       {"type": "directional", "direction": [0, -2, 0]},
@@ -235,7 +188,7 @@ TEST(SceneFile, ReadsAllKindsOfLights) {
 
 TEST(SceneFile, ALambertEmitterIsASurfaceOfTheScene) {
   const SceneTestFiles files;
-  const auto loaded = load(files, R"(, "lights": [
+  const auto loaded = load_square(files, R"(, "lights": [
       {"type": "area", "name": "panel", "position": [0, 9, 0], "edge_u": [2, 0, 0], "edge_v": [0, 0, 4],
        "color": [1, 0.5, 0], "power": 3, "emitter": "lambert"}])");
   EXPECT_EQ(error_count(loaded), 0u) << described(loaded, files);
@@ -253,164 +206,11 @@ TEST(SceneFile, ALambertEmitterIsASurfaceOfTheScene) {
 
 TEST(SceneFile, ReadsCredits) {
   const SceneTestFiles files;
-  const auto loaded = load(
+  const auto loaded = load_square(
       files,
       R"(, "credits": [{"piece": "chair", "creator": "A. B.", "license": "CC-BY-3.0"}, {"piece": "x"}])");
   ASSERT_EQ(loaded.scene.credits.size(), 2u);
   EXPECT_EQ(loaded.scene.credits[0].creator, "A. B.");
-}
-
-TEST(SceneFile, ListsEveryProblemAtOnce) {
-  const SceneTestFiles files;
-  const auto loaded = load_scene_collecting(files.write("s.json", R"({
-      "entitys": [], "nmae": "x", "near": -1, "background": {"color": [1, 2], "light": true},
-      "entities": [{"obj": "gone.obj"}, {"obj": "bad.obj", "transform": {"scale": 0}, "upp": "z"}, {}, 7,
-                   {"box": {"min": [0, 0, 0], "max": [1, 0, 1]}}],
-      "lights": [{"type": "pint"}, {"type": "point"}, {"type": "spot", "position": [0, 0, 0], "outer": 120, "direction": [0, 0, 0]}]})"));
-  const std::string text = described(loaded, files);
-  for (const char* part :
-       {"$: unknown key 'entitys'", "$: unknown key 'nmae' (did you mean 'name'?)", "$.near: must be",
-        "$.background.color: must be a list of 3",
-        "$.background: unknown key 'light' (did you mean 'lights'?)", "$.entities[0].obj: there is no file",
-        "$.entities[1].transform: the transform is singular",
-        "$.entities[1]: unknown key 'upp' (did you mean 'up'?)",
-        "$.entities[2]: an entity needs either 'obj' or 'box'", "$.entities[3]: must be an object",
-        "$.entities[4].box: the box is empty",
-        "$.lights[0].type: must be one of point, directional, spot, area, not 'pint' (did you mean 'point'?)",
-        "$.lights[1]: the key 'position' is missing", "$.lights[2].outer: must be between",
-        "$.lights[2].direction: a direction must not be zero"})
-    EXPECT_THAT(text, HasSubstr(std::string("error s.json: ") + part));
-}
-
-struct BadScene {
-  const char* name;
-  const char* keys;         ///< of the scene
-  const char* entity_keys;  ///< of its entity
-  const char* problem;
-};
-
-void PrintTo(const BadScene& bad, std::ostream* stream) {
-  *stream << bad.name;
-}
-
-class SceneFileBadInput : public ::testing::TestWithParam<BadScene> {};
-
-TEST_P(SceneFileBadInput, IsListedWithItsPath) {
-  EXPECT_THAT(problems_of(GetParam().keys, GetParam().entity_keys), HasSubstr(GetParam().problem));
-}
-
-constexpr const char* kSun = R"(, "lights": [{"type": "directional", "direction": [0, -1, 0]}])";
-
-INSTANTIATE_TEST_SUITE_P(
-    Keys, SceneFileBadInput,
-    ::testing::Values(
-        BadScene{"NearBehindFar", R"(, "near": 5, "far": 2)", "",
-                 "error s.json: $.far: far must be larger than near"},
-        BadScene{"ZeroPower", R"(, "lights": [{"type": "point", "position": [9, 9, 9], "power": 0}])", "",
-                 "warning s.json: $.lights[0]: the light 'point' gives no light"},
-        BadScene{"NegativePower", R"(, "lights": [{"type": "point", "position": [9, 9, 9], "power": -1}])",
-                 "", "error s.json: $.lights[0].power: must be between"},
-        BadScene{"NegativeColor",
-                 R"(, "lights": [{"type": "point", "position": [9, 9, 9], "color": [1, -1, 0]}])", "",
-                 "error s.json: $.lights[0].color: a colour must lie"},
-        BadScene{
-            "SpotWithTwoAims",
-            R"(, "lights": [{"type": "spot", "position": [9, 9, 9], "outer": 9, "direction": [0, 1, 0], "look_at": [0, 0, 0]}])",
-            "", "$.lights[0]: a spotlight needs either"},
-        BadScene{
-            "SpotInnerWiderThanOuter",
-            R"(, "lights": [{"type": "spot", "position": [9, 9, 9], "outer": 9, "inner": 10, "direction": [0, 1, 0]}])",
-            "", "$.lights[0].inner: the inner angle is larger"},
-        BadScene{
-            "AreaWithoutArea",
-            R"(, "lights": [{"type": "area", "position": [9, 9, 9], "edge_u": [1, 0, 0], "edge_v": [2, 0, 0]}])",
-            "", "$.lights[0].edge_v: the area light has no area"},
-        BadScene{"TriangleWithoutArea",
-                 R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 0]]}])", "",
-                 "$.lights[0].triangle: the area light has no area"},
-        BadScene{"TwoCorners", R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0]]}])", "",
-                 "$.lights[0].triangle: must be three corners"},
-        BadScene{
-            "TriangleWithAPlace",
-            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "position": [0, 0, 0]}])",
-            "", "$.lights[0]: unknown key 'position'"},
-        BadScene{
-            "TooManyPoints",
-            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "points": 65}])",
-            "", "$.lights[0].points: must be"},
-        BadScene{
-            "OneCountForAQuad",
-            R"(, "lights": [{"type": "area", "position": [9, 9, 9], "edge_u": [1, 0, 0], "edge_v": [0, 0, 2], "points": [4]}])",
-            "", "$.lights[0].points: must be two numbers"},
-        BadScene{
-            "PointsOfASurface",
-            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "points": 3, "emitter": "lambert"}])",
-            "", "$.lights[0]: an emitter 'lambert' is a surface: it has no 'points'"},
-        BadScene{
-            "AttenuationOfASurface",
-            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "attenuation": {"type": "none"}, "emitter": "lambert"}])",
-            "", "$.lights[0]: an emitter 'lambert' is a surface: it has no 'attenuation'"},
-        BadScene{
-            "AnEmitterOfAnotherKind",
-            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "emitter": "lambrt"}])",
-            "", "$.lights[0].emitter: must be one of points, lambert, not 'lambrt'"},
-        BadScene{
-            "ASurface",
-            R"(, "lights": [{"type": "area", "triangle": [[0, 9, 0], [1, 9, 0], [2, 9, 1]], "emitter": "lambert"}])",
-            "", "warning s.json: $.lights[0]: light 'area' is an emitting surface: only indirect light"},
-        BadScene{
-            "AttenuationOfASun",
-            R"(, "lights": [{"type": "directional", "direction": [0, -1, 0], "attenuation": {"type": "none"}}])",
-            "", "$.lights[0]: unknown key 'attenuation'"},
-        BadScene{"FadeWithoutDistance",
-                 R"(, "lights": [{"type": "point", "position": [9, 9, 9], "attenuation": {"type": "fade"}}])",
-                 "", "$.lights[0].attenuation: the key 'distance' is missing"},
-        BadScene{"LightInASurface", R"(, "lights": [{"type": "point", "position": [0.5, 0.5, 0]}])", "",
-                 "warning s.json: the light 'point' lies in a surface"},
-        BadScene{
-            "LightOutOfReach",
-            R"(, "lights": [{"type": "point", "position": [9, 9, 9], "attenuation": {"type": "radius", "radius": 2}}])",
-            "", "warning s.json: the light 'point' reaches nothing"},
-        BadScene{"NoLight", "", "", "warning s.json: the scene has no lights: all of it is black"},
-        BadScene{"OnlyBackground", R"(, "background": {"color": [1, 1, 1]})", "",
-                 "warning s.json: the scene has no lights; only emission and the background"},
-        BadScene{"SingularScale", kSun, R"(, "transform": {"scale": [1, 0, 1]})",
-                 "$.entities[0].transform: the transform is singular"},
-        BadScene{"SingularMatrix", kSun, R"(, "transform": {"matrix": [1,0,0,0, 1,0,0,0, 0,0,1,0, 0,0,0,1]})",
-                 "$.entities[0].transform: the transform is singular"},
-        BadScene{"ProjectiveMatrix", kSun,
-                 R"(, "transform": {"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,1,1]})",
-                 "$.entities[0].transform.matrix: the last row"},
-        BadScene{"MatrixAndScale", kSun,
-                 R"(, "transform": {"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], "scale": 2})",
-                 "$.entities[0].transform: 'matrix' stands alone"},
-        BadScene{"UnknownUp", kSun, R"(, "up": "x")", "$.entities[0].up: must be one of y, z, not 'x'"},
-        BadScene{"SizeOfZero", kSun, R"(, "size": [1, 0, 1])",
-                 "$.entities[0].size: a size must be larger than 0"},
-        BadScene{"HugeCoordinate", kSun, R"(, "transform": {"translate": [1e300, 0, 0]})",
-                 "$.entities[0].transform.translate: 1e+300 is too large"},
-        BadScene{"MaterialOfAnObj", kSun, R"(, "material": {"diffuse": [1, 1, 1]})",
-                 "$.entities[0]: unknown key 'material'"},
-        BadScene{"OverbrightMaterial", R"(, "materials": {"default": {"diffuse": [2, 2, 2]}})", "",
-                 "1 material (default): a diffuse colour above 1"}),
-    [](const auto& test) { return test.param.name; });
-
-TEST(SceneFile, AnEmptySceneIsAnError) {
-  const SceneTestFiles files;
-  const auto loaded = load_scene_collecting(files.write("s.json", R"({"entities": []})"));
-  EXPECT_THAT(described(loaded, files), HasSubstr("error s.json: the scene is empty"));
-}
-
-TEST(SceneFile, BrokenJsonIsAnErrorWithItsLine) {
-  const SceneTestFiles files;
-  const auto loaded = load_scene_collecting(files.write("s.json", "{\n\"entities\": [\n"));
-  EXPECT_THAT(described(loaded, files), HasSubstr("error s.json:3: "));
-}
-
-TEST(SceneFile, AMissingFileIsAnError) {
-  EXPECT_EQ(error_count(load_scene_collecting("/nowhere/s.json")), 1u);
-  EXPECT_EQ(error_count(load_scene_collecting("/nowhere/m.obj")), 1u);
-  EXPECT_EQ(error_count(load_scene_collecting("/nowhere/m.fbx")), 1u);
 }
 
 TEST(BareObj, GetsADefaultLightAndSaysSo) {
@@ -445,39 +245,6 @@ TEST(LoadScene, LoadsTheProjectsOwnScene) {
   const Scene scene = load_scene(std::filesystem::path(LIGHTBENCH_SOURCE_DIR) / "jobs/scenes/cornell.json");
   EXPECT_TRUE(scene.warnings.empty());
   EXPECT_GE(triangle_count(scene), 30u);
-}
-
-TEST(SceneFile, AnEntityWithKeyframesStandsWhereItIsAtTimeZero) {
-  const std::string keys = R"(, "transform": {"scale": 2}, "keyframes": [
-      {"time": -1, "translate": [0, 0, 0]}, {"time": 1, "translate": [6, 0, 0]}])";
-  EXPECT_EQ(placed(keys, {1, 0, 0}), glm::vec3(3 + 2, 0, 0));
-}
-
-TEST(SceneFile, ABoxMovesToo) {
-  const SceneTestFiles files;
-  const LoadedScene loaded = load_scene_collecting(
-      files.write("s.json", R"({"entities": [{"box": {"min": [0, 0, 0], "max": [1, 1, 1]},
-                                  "keyframes": [{"time": 0}, {"time": 1, "rotate": [0, 90, 0], "scale": 2}]}]})"));
-  ASSERT_EQ(error_count(loaded), 0u) << described(loaded, files);
-  ASSERT_EQ(loaded.scene.entities[0].motion.keys.size(), 2u);
-  EXPECT_EQ(loaded.scene.entities[0].motion.keys[1].scale, glm::dvec3(2));
-}
-
-TEST(SceneFile, KeyframesThatDoNotRiseAreAProblemOfTheirPlace) {
-  EXPECT_THAT(problems_of("", R"(, "keyframes": [{"time": 2}, {"time": 1}])"),
-              HasSubstr("error s.json: $.entities[0].keyframes[1].time: the times of keyframes must rise"));
-}
-
-TEST(SceneFile, KeyframesThatFlattenTheModelAreAProblem) {
-  EXPECT_THAT(problems_of("", R"(, "keyframes": [{"time": 0, "scale": [1, 0, 1]}, {"time": 1}])"),
-              HasSubstr("$.entities[0].keyframes[0]: a scale of 0"));
-  EXPECT_THAT(problems_of("", R"(, "keyframes": [{"time": 0}, {"time": 1, "scale": [1, -1, 1]}])"),
-              HasSubstr("$.entities[0].keyframes[1]: the scale changes its sign"));
-}
-
-TEST(SceneFile, AnUnknownKeyOfAKeyframeIsAProblem) {
-  EXPECT_THAT(problems_of("", R"(, "keyframes": [{"time": 0}, {"time": 1, "rotates": [0, 0, 0]}])"),
-              HasSubstr("did you mean 'rotate'"));
 }
 
 }  // namespace

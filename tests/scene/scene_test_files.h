@@ -49,4 +49,12 @@ inline std::size_t error_count(const LoadedScene& loaded) {
 /// A unit square in the plane z = 0, facing +z.
 inline constexpr std::string_view kSquareObj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
+/// The scene of one square with more keys beside "entities", and more keys in the entity.
+inline LoadedScene load_square(const SceneTestFiles& files, const std::string& keys,
+                               const std::string& entity_keys = "") {
+  files.write("m.obj", kSquareObj);
+  return load_scene_collecting(files.write(
+      "s.json", R"({"entities": [{"name": "e", "obj": "m.obj")" + entity_keys + "}]" + keys + "}"));
+}
+
 }  // namespace lightbench
