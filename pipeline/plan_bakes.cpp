@@ -24,6 +24,11 @@ constexpr double kPathOfTexelSeconds = 1e-6;
 constexpr double kCompressSeconds = 5e-8;  // of a texel in a direction
 constexpr double kBytesOfRadiance = 14;    // of a texel in a direction: as it is read, and on the GPU
 
+/// Of so many megabytes, whatever a job asks for.
+int memory_mb(double megabytes) {
+  return int(std::min(megabytes, 1e9));
+}
+
 }  // namespace
 
 void BakePlanner::need_objects(Task& snapshot) {
@@ -36,7 +41,7 @@ void BakePlanner::need_objects(Task& snapshot) {
   const std::vector<double>& texels = facts.texels[std::size_t(snapshot.variant)];
   const DirectionGrid grid = bake_settings(variant_params(draft_.variant(snapshot.variant))).trace.grid;
   snapshot.resources.memory_mb +=
-      int(std::accumulate(texels.begin(), texels.end(), 0.0) * grid.layers() * kBytesOfRadiance / 1e6);
+      memory_mb(std::accumulate(texels.begin(), texels.end(), 0.0) * grid.layers() * kBytesOfRadiance / 1e6);
 }
 
 const std::vector<std::size_t>& BakePlanner::object_files(int scene, int variant) {
@@ -74,7 +79,7 @@ std::size_t BakePlanner::add_bake(int scene, int variant, std::size_t object, co
   task.expected_seconds = texels * (kTexelSeconds + paths * trace.bounces * kPathOfTexelSeconds);
   task.timeout_seconds = std::max(task.timeout_seconds, 20 * task.expected_seconds);
   task.resources.memory_mb =
-      int(200 + texels * trace.grid.layers() * kBytesOfRadiance / 1e6 + double(facts.triangles) / 1000);
+      memory_mb(200 + texels * trace.grid.layers() * kBytesOfRadiance / 1e6 + double(facts.triangles) / 1000);
   return draft_.add(std::move(task));
 }
 
@@ -97,7 +102,7 @@ std::size_t BakePlanner::add_compression(int scene, int variant, std::size_t obj
   const double values =
       facts.texels[std::size_t(variant)][object] * bake_settings(params).trace.grid.layers();
   task.expected_seconds = 0.1 + values * kCompressSeconds;
-  task.resources.memory_mb = int(200 + values * kBytesOfRadiance / 1e6);
+  task.resources.memory_mb = memory_mb(200 + values * kBytesOfRadiance / 1e6);
   return draft_.add(std::move(task));
 }
 

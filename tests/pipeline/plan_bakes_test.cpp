@@ -17,12 +17,12 @@ using ::testing::ElementsAre;
 using ::testing::UnorderedElementsAre;
 
 /// The fixture's job with these variants, of two objects in each scene.
-Plan plan_with(const std::string& variants) {
+Plan plan_with(const std::string& variants, double texels = 100) {
   const Job job = concrete_job(replaced(kJobText, R"({"name": "other", "technique": "ambient"})", variants));
   PlanFacts facts = facts_for(job);
   for (SceneFacts& scene : facts.scenes) {
     scene.objects = {{0, "floor", "0000-floor"}, {2, "box", "0002-box"}};
-    scene.texels.assign(job.variants.size(), {100, 300});
+    scene.texels.assign(job.variants.size(), {texels, 3 * texels});
   }
   return make_plan(job, facts, "/out");
 }
@@ -99,6 +99,12 @@ TEST(PlanBakes, AnotherBakeIsAnotherSnapshot) {
   const std::string id = "snapshot:one/a/raw";
   EXPECT_NE(task_called(plan_with(variant("raw", "")), id).key,
             task_called(plan_with(variant("raw", R"("seed": 2)")), id).key);
+}
+
+TEST(PlanBakes, NoSizeIsTooLargeToBePlanned) {
+  const Plan plan = plan_with(variant("six", R"("codec": "piecewise")"), 1e18);
+  for (const Task& task : plan.tasks) EXPECT_GT(task.resources.memory_mb, 0) << task.id;
+  EXPECT_GE(task_called(plan, "bake:one/six/0000-floor").resources.memory_mb, 1'000'000'000);
 }
 
 }  // namespace
