@@ -29,7 +29,9 @@ struct BakeParams {
 
 /// Keeps what an interrupted bake of the same left; anything else must not be mixed with it.
 void prepare_folder(const std::filesystem::path& folder, const BakeFolder& bake) {
-  std::filesystem::create_directories(folder);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw Error("cannot make the folder: " + error.message(), folder.string());
   if (std::filesystem::exists(folder / "bake.json")) {
     if (read_bake_folder(folder).key != bake.key)
       throw Error(
@@ -88,6 +90,7 @@ ExitCode run_bake(const BakeParams& params) {
   for (const auto& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
   if (technique.unsupported)
     for (const auto& reason : technique.unsupported(scene, values)) throw Error(reason, params.scene);
+  check_named_sizes(scene, settings);
   const std::filesystem::path folder = params.out;
   prepare_folder(folder, bake_folder(scene, values));
   const ObjectBaker baker(scene);

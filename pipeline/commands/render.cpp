@@ -39,25 +39,41 @@ void write_output(const std::filesystem::path& file, const Image& image) {
   write_png(file, first_channels(to_srgb8(image), 3));
 }
 
-/// Those of the command line; what was baked says how, where nothing else is given.
-GivenParams given_params(const Technique& technique, const RenderParams& params) {
-  GivenParams given = parse_params(technique.params, params.params);
-  if (params.baked.empty()) return given;
+/// Nothing where no folder is given.
+BakeFolder baked_objects(const Technique& technique, const RenderParams& params) {
+  if (params.baked.empty()) return {};
   if (!technique.needs_bake)
     throw Error("technique '" + technique.name + "' draws nothing that was baked", "--baked");
-  given.merge(read_bake_folder(params.baked).params);
+  return read_bake_folder(params.baked);
+}
+
+/// Those of the command line; what was baked says how, where nothing else is given.
+GivenParams given_params(const Technique& technique, const RenderParams& params, const BakeFolder& baked) {
+  GivenParams given = parse_params(technique.params, params.params);
+  given.insert(baked.params.begin(), baked.params.end());
   return given;
+}
+
+/// What fits is drawn all the same: it may be meant.
+void warn_of_another_scene(const Scene& scene, const ParamValues& values, const RenderParams& params,
+                           const BakeFolder& baked) {
+  if (!params.baked.empty() && baked.key != bake_folder(scene, values).key)
+    std::fprintf(stderr,
+                 "warning: %s: was baked from another scene, from other files of it, or by another version\n",
+                 params.baked.c_str());
 }
 
 ExitCode run_render(const RenderParams& params) {
   const std::filesystem::path output = params.output;
   check_output(output);
   const Technique& technique = find_technique(params.technique, "--technique");
+  const BakeFolder baked = baked_objects(technique, params);
   const ParamValues values = resolve_params(technique.params, technique.presets, params.preset,
-                                            given_params(technique, params), "--preset");
+                                            given_params(technique, params, baked), "--preset");
   const ImageSize size = parse_size(params.view.size);
   Scene scene = load_scene(params.view.scene);
   for (const auto& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  warn_of_another_scene(scene, values, params, baked);
   const View view = chosen_view(params.view, scene);
   FrameRequest request{scene,
                        view,

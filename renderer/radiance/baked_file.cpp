@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -19,7 +18,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "entries are copied to and from files as they are");
 
 constexpr std::uint32_t kVersion = 1;
-constexpr std::uint64_t kMaxEntries = std::numeric_limits<std::uint32_t>::max();
 
 using HeaderBytes = std::array<char, kBakedHeaderBytes>;
 
@@ -129,8 +127,8 @@ BakedFile::BakedFile(const fs::path& file, std::string_view kind, const BakedHea
                      std::span<const std::byte> entries)
     : file_(file) {
   assert(header.file_bytes() == kBakedHeaderBytes + entries.size());
-  if (header.entries > kMaxEntries)
-    throw Error(fmt::format("cannot hold {} entries, at most {}", header.entries, kMaxEntries),
+  if (header.entries > kMaxBakedEntries)
+    throw Error(fmt::format("cannot hold {} entries, at most {}", header.entries, kMaxBakedEntries),
                 file.string());
   const HeaderBytes bytes = bytes_of(header, kind);
   parse(bytes, kind, file.string());  // so that nothing is written that cannot be read

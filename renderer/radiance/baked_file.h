@@ -16,6 +16,7 @@
 namespace lightbench {
 
 inline constexpr std::size_t kBakedHeaderBytes = 48;
+inline constexpr std::uint64_t kMaxBakedEntries = 0xffffffff;
 inline constexpr int kMaxBakedSize = 16384;  ///< width and height: the largest textures OpenGL draws from
 
 struct BakedHeader {
@@ -25,7 +26,7 @@ struct BakedHeader {
   float scale = 1;            ///< the radiance that stands for 1; finite and above 0
   int components = 1;         ///< of an entry
   int bits = 8;               ///< of a component
-  std::uint64_t entries = 0;  ///< below 2^32
+  std::uint64_t entries = 0;  ///< up to kMaxBakedEntries
   std::uint64_t texels() const { return std::uint64_t(width) * std::uint64_t(height); }
   std::uint64_t values() const { return texels() * std::uint64_t(grid.layers()); }
   std::uint64_t file_bytes() const;

@@ -11,6 +11,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "renderer/radiance/bake.h"
+#include "renderer/radiance/baked_file.h"
 #include "renderer/radiance/buried_texels.h"
 #include "renderer/radiance/solids.h"
 
@@ -108,6 +109,18 @@ void append_back(HalfStack& front, const HalfStack& back) {
   front.height *= 2;
 }
 
+/// Before the hours that it may take to trace them.
+void check_fits_in_a_file(const ChartAtlas& atlas, int directions, const std::string& where) {
+  const std::uint64_t values =
+      std::uint64_t(atlas.width) * std::uint64_t(atlas.height) * std::uint64_t(directions);
+  if (values > kMaxBakedEntries)
+    throw Error(
+        fmt::format(
+            "{} x {} texels of {} directions are more than a file can hold: {} instead of at most {} values",
+            atlas.width, atlas.height, directions, values, kMaxBakedEntries),
+        where);
+}
+
 void add(BakeNews& sum, const BakeNews& news) {
   for (std::size_t i = 0; i < sum.rays.size(); ++i) {
     sum.rays[i].rays += news.rays[i].rays;
@@ -135,6 +148,17 @@ std::vector<std::uint8_t> counting_places(const ChartAtlas& atlas, int height) {
   return counts;
 }
 
+void check_named_sizes(const Scene& scene, const BakeSettings& settings) {
+  std::vector<std::string> names;
+  for (const std::size_t entity : objects_to_bake(scene)) names.push_back(scene.entities[entity].name);
+  for (const NamedSize& size : settings.sizes)
+    if (std::ranges::none_of(names,
+                             [&](const std::string& name) { return matches_glob(name, size.pattern); }))
+      throw Error(
+          fmt::format("{} has no object '{}'{}", scene.name, size.pattern, did_you_mean(size.pattern, names)),
+          "parameter 'sizes'");
+}
+
 std::vector<double> expected_texels(const Scene& scene, const BakeSettings& settings) {
   const double along = density(scene, settings);
   std::vector<double> texels;
@@ -153,8 +177,11 @@ std::string object_file_stem(const Scene& scene, std::size_t entity) {
 ChartAtlas object_atlas(const Scene& scene, std::size_t entity, const BakeSettings& settings) {
   const NamedSize* given = given_size(scene, entity, settings);
   const AtlasSize size = given ? AtlasSize(given->size) : TexelsPerUnit{float(density(scene, settings))};
-  return make_chart_atlas(mesh_of(scene, entity), scene.entities[entity].transform, size, settings.uvs,
-                          fmt::format("object '{}' of {}", scene.entities[entity].name, scene.name));
+  const std::string where = fmt::format("object '{}' of {}", scene.entities[entity].name, scene.name);
+  ChartAtlas atlas =
+      make_chart_atlas(mesh_of(scene, entity), scene.entities[entity].transform, size, settings.uvs, where);
+  check_fits_in_a_file(atlas, settings.trace.grid.layers(), where);
+  return atlas;
 }
 
 struct ObjectBaker::Impl {

@@ -13,7 +13,8 @@
 namespace lightbench {
 
 /// The texels of an entity's surface: an atlas for the front; a stack of twice its height holds the back
-/// below it, in the same places.
+/// below it, in the same places. Throws Error where the texels do not fit into a texture, or their radiance
+/// into a file.
 ChartAtlas object_atlas(const Scene& scene, std::size_t entity, const BakeSettings& settings);
 
 /// Of each place of a layer of a stack of that height, 1 where the atlas has a texel.
@@ -21,6 +22,9 @@ std::vector<std::uint8_t> counting_places(const ChartAtlas& atlas, int height);
 
 /// Those that have triangles.
 std::vector<std::size_t> objects_to_bake(const Scene& scene);
+
+/// Throws Error where a pattern of `sizes` matches none of them.
+void check_named_sizes(const Scene& scene, const BakeSettings& settings);
 
 /// How many texels each of them will have, about.
 std::vector<double> expected_texels(const Scene& scene, const BakeSettings& settings);

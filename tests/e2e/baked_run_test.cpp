@@ -1,0 +1,80 @@
+// Jobs with technique surface_radiance, which bakes what it draws.
+#include "baked_fixture.h"
+
+namespace lightbench {
+namespace {
+
+using test::GlBaked;
+using ::testing::HasSubstr;
+
+class GlBakedRun : public GlBaked {
+ protected:
+  GlBakedRun() {
+    write("job.json", R"({"name": "job", "size": [32, 24],
+      "scenes": [{"name": "box", "scene": "scene.json", "cameras": "cameras.json"}],
+      "variants": [)" + variant("raw") +
+                          "," + variant("piecewise") + "," + variant("pca") + R"(],
+      "references": [{"name": "truth", "kind": "path_tracer", "params": {"bounces": 0, "samples": 2}}],
+      "metrics": ["mean_error"]})");
+  }
+
+  /// Baked as the fixture bakes.
+  static std::string variant(const std::string& codec) {
+    return R"({"name": ")" + codec +
+           R"(", "technique": "surface_radiance", "params": {"density": 2, "thetas": 3, "phis": 4, "codec": ")" +
+           codec + "\"}}";
+  }
+
+  ProcessResult run_job(std::vector<std::string> more = {}) const {
+    more.insert(more.begin(), {"run", "job.json", "--out", "out"});
+    return run(more);
+  }
+  std::size_t files_called(const std::string& ending) const {
+    std::size_t count = 0;
+    for (const auto& file : files("out")) count += file.ends_with(ending);
+    return count;
+  }
+};
+
+TEST_F(GlBakedRun, DrawsAllCodecsFromOneBake) {
+  const auto result = run_job();
+  ASSERT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_EQ(files_called(".mtex"), 2u) << "one for each object";
+  EXPECT_EQ(files_called("front/raw.png") + files_called("side/pca.png"), 2u);
+  // Both codecs are bounded by a few of 255.
+  EXPECT_LT(mean_difference("out/views/box/front/raw.exr", "out/views/box/front/piecewise.exr"), 3);
+  EXPECT_LT(mean_difference("out/views/box/front/raw.exr", "out/views/box/front/pca.exr"), 3);
+}
+
+TEST_F(GlBakedRun, ASecondRunDoesNothing) {
+  run_job();
+  const auto result = run_job();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  // For three variants of two views: 2 bakes, 2 x 2 compressions, 6 snapshots, 2 references and 6 scores.
+  EXPECT_THAT(result.out, HasSubstr("0 tasks to do, 20 there already"));
+}
+
+TEST_F(GlBakedRun, StageBakeBakesAlone) {
+  const auto result = run_job({"--stages", "bake"});
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_EQ(files_called(".mtex"), 2u);
+  EXPECT_EQ(files_called(".png"), 0u);
+  EXPECT_THAT(run_job().out, HasSubstr("18 tasks to do, 2 there already"));
+}
+
+TEST_F(GlBakedRun, ABakeThatWasDamagedIsMadeAgain) {
+  run_job();
+  for (const auto& file : files("out"))
+    if (file.ends_with("0000-box.mtex")) std::filesystem::resize_file(path(file), 100);
+  EXPECT_THAT(run_job().out, HasSubstr("1 task to do, 19 there already"));
+}
+
+TEST_F(GlBakedRun, CommandsBakeAndRenderMakeTheSamePicture) {
+  run_job({"--only", "box/front/raw"});
+  bake();
+  draw("alone.exr");
+  EXPECT_EQ(read_image_srgb8(path("out/views/box/front/raw.exr")), read_image_srgb8(path("alone.exr")));
+}
+
+}  // namespace
+}  // namespace lightbench
