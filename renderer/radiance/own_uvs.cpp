@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 
 #include "renderer/radiance/surface_charts.h"
 #include "renderer/radiance/texel_cover.h"
+#include "renderer/radiance/union_find.h"
 #include "renderer/radiance/weld.h"
 
 namespace lightbench {
@@ -47,20 +47,6 @@ std::vector<std::uint32_t> weld_positions_and_uvs(const Mesh& mesh) {
     return std::array{p.x, p.y, p.z, mesh.uvs[i].x, mesh.uvs[i].y};
   });
 }
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t i, std::uint32_t j) { parent_[find(i)] = find(j); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 std::vector<std::uint32_t> connected_pieces(const Mesh& mesh, const std::vector<bool>& in_no_chart) {
   const std::vector<std::uint32_t> welded = weld_positions_and_uvs(mesh);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -11,26 +10,12 @@
 #include <glm/matrix.hpp>
 
 #include "renderer/radiance/direction_grid.h"
+#include "renderer/radiance/union_find.h"
 #include "renderer/radiance/weld.h"
 #include "scene/light_points.h"
 
 namespace lightbench {
 namespace {
-
-/// Which things are connected with which.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  std::uint32_t of(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parent_[of(a)] = of(b); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 using Triangles = std::vector<glm::uvec3>;
 
@@ -41,7 +26,7 @@ std::vector<Triangles> connected_parts(const Mesh& mesh) {
     const glm::vec3& p = mesh.positions[i];
     return std::array{p.x, p.y, p.z};
   });
-  Groups groups(mesh.positions.size());
+  UnionFind groups(mesh.positions.size());
   Triangles triangles;
   for (const glm::uvec3& t : mesh.triangles) {
     const glm::uvec3 w(welded[t.x], welded[t.y], welded[t.z]);
@@ -49,10 +34,10 @@ std::vector<Triangles> connected_parts(const Mesh& mesh) {
     triangles.push_back(w);
     groups.join(w.x, w.y), groups.join(w.y, w.z);
   }
-  std::ranges::stable_sort(triangles, {}, [&](const glm::uvec3& t) { return groups.of(t.x); });
+  std::ranges::stable_sort(triangles, {}, [&](const glm::uvec3& t) { return groups.find(t.x); });
   std::vector<Triangles> parts;
   for (const glm::uvec3& t : triangles) {
-    if (parts.empty() || groups.of(parts.back().front().x) != groups.of(t.x)) parts.emplace_back();
+    if (parts.empty() || groups.find(parts.back().front().x) != groups.find(t.x)) parts.emplace_back();
     parts.back().push_back(t);
   }
   return parts;
