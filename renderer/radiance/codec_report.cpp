@@ -21,18 +21,23 @@ void measure_errors(const ErrorCounts& counts, std::uint64_t values, CodecReport
     seen += counts[error];
     report.max_error = double(error) / 3;
   }
-  const std::uint64_t changed = values - counts[0];
-  report.changed = double(changed) / double(values);
-  if (changed > 0) report.mean_changed_error = double(sum) / 3 / double(changed);
+  report.changed_values = values - counts[0];
+  if (report.changed_values == 0) return;
+  report.changed = double(report.changed_values) / double(values);
+  report.mean_changed_error = double(sum) / 3 / double(report.changed_values);
 }
 
 }  // namespace
 
 std::vector<std::pair<std::string, double>> codec_numbers(const CodecReport& report) {
-  std::vector<std::pair<std::string, double>> numbers{
-      {"width", report.width}, {"height", report.height}, {"raw_bytes", double(report.raw_bytes)}};
+  std::vector<std::pair<std::string, double>> numbers{{"width", report.width},
+                                                      {"height", report.height},
+                                                      {"texels", double(report.texels)},
+                                                      {"directions", report.directions},
+                                                      {"raw_bytes", double(report.raw_bytes)}};
   for (const FileSize& file : report.files) numbers.emplace_back("bytes." + file.name, double(file.bytes));
   numbers.insert(numbers.end(), {{"ratio", report.ratio},
+                                 {"changed_values", double(report.changed_values)},
                                  {"changed", report.changed},
                                  {"mean_changed_error", report.mean_changed_error},
                                  {"error_99", report.error_99},
@@ -47,7 +52,10 @@ CodecReport report_codec(const ByteStack& original, const ByteStack& decoded, st
   if (original.width != decoded.width || original.height != decoded.height || original.grid != decoded.grid ||
       original.texels.size() != decoded.texels.size())
     throw Error("the decoded object has another size, or other directions, than the original");
-  CodecReport report{.width = original.width, .height = original.height, .files = std::move(files)};
+  CodecReport report{.width = original.width,
+                     .height = original.height,
+                     .directions = original.grid.layers(),
+                     .files = std::move(files)};
   ErrorCounts errors{};
   std::vector<bool> seen(std::size_t{1} << 24);  // colours
   std::uint64_t values = 0;
@@ -69,6 +77,7 @@ CodecReport report_codec(const ByteStack& original, const ByteStack& decoded, st
   measure_errors(errors, values, report);
   std::uint64_t bytes = 0;
   for (const FileSize& file : report.files) bytes += file.bytes;
+  report.texels = values / std::uint64_t(report.directions);
   report.raw_bytes = 3 * values;
   report.ratio = double(report.raw_bytes) / double(bytes);
   return report;

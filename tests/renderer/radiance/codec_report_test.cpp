@@ -1,5 +1,7 @@
 #include "renderer/radiance/codec_report.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -17,6 +19,8 @@ TEST(CodecReport, OfAnIdenticalPair) {
   const CodecReport report = report_codec(grey(5, 9), grey(5, 9), {{"a", 4}, {"b", 6}});
   EXPECT_EQ(report.width, 5);
   EXPECT_EQ(report.height, 1);
+  EXPECT_EQ(report.texels, 5u);
+  EXPECT_EQ(report.directions, 2);
   EXPECT_EQ(report.raw_bytes, 30u);
   EXPECT_EQ(report.ratio, 3);
   EXPECT_EQ(report.colors, 1u);
@@ -33,6 +37,7 @@ TEST(CodecReport, AveragesOverChangedValuesAlone) {
   decoded.texels[2] = {10, 9, 7};  // 1, 0 and 2
   decoded.texels[7] = {9, 15, 9};  // 6
   const CodecReport report = report_codec(original, decoded, {{"a", 1}});
+  EXPECT_EQ(report.changed_values, 2u);
   EXPECT_DOUBLE_EQ(report.changed, 0.2);
   EXPECT_DOUBLE_EQ(report.mean_changed_error, 1.5);
   EXPECT_DOUBLE_EQ(report.max_error, 2);
@@ -61,8 +66,15 @@ TEST(CodecReport, PlacesWithoutATexelDoNotCount) {
   const std::vector<std::uint8_t> counts{1, 0, 1, 1};
   const CodecReport report = report_codec(original, decoded, {{"a", 9}}, counts);
   EXPECT_EQ(report.max_error, 0);
+  EXPECT_EQ(report.texels, 3u);
   EXPECT_EQ(report.raw_bytes, 18u);
   EXPECT_EQ(report.ratio, 2);
+}
+
+TEST(CodecReport, WithoutAnyTexelItHoldsNumbers) {
+  const std::vector<std::uint8_t> counts(4, 0);
+  for (const auto& [name, value] : codec_numbers(report_codec(grey(4, 9), grey(4, 9), {{"a", 9}}, counts)))
+    EXPECT_TRUE(std::isfinite(value)) << name;
 }
 
 TEST(CodecReport, ObjectsOfDifferentShapeAreAnError) {
