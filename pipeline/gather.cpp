@@ -1,6 +1,7 @@
 #include "pipeline/gather.h"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -24,10 +25,22 @@ std::string bounces_text(int bounces) {
   return fmt::format("{} bounce{}", bounces, bounces == 1 ? "" : "s");
 }
 
+/// Of each task, the variants whose snapshots need the object's files that it makes.
+std::vector<std::set<int>> variants_that_draw(const Plan& plan) {
+  std::vector<std::set<int>> variants(plan.tasks.size());
+  for (std::size_t i = plan.tasks.size(); i-- > 0;) {  // what needs them stands behind them
+    const Task& task = plan.tasks[i];
+    if (task.kind == TaskKind::snapshot) variants[i].insert(task.variant);
+    if (task.kind == TaskKind::snapshot || task.kind == TaskKind::compress)
+      for (const std::size_t dep : task.deps) variants[dep].insert(variants[i].begin(), variants[i].end());
+  }
+  return variants;
+}
+
 class Gatherer {
  public:
   Gatherer(const Plan& plan, const PlanFacts& facts, const std::vector<TaskOutcome>& outcomes)
-      : plan_(plan), facts_(facts), outcomes_(outcomes) {}
+      : plan_(plan), facts_(facts), outcomes_(outcomes), drawn_by_(variants_that_draw(plan)) {}
 
   RunReport gather() {
     const Job& job = plan_.job;
@@ -128,14 +141,18 @@ class Gatherer {
       case TaskKind::score:
         return add_score(i);
       case TaskKind::bake:
+        report_.bakes.push_back(object_row(i));
+        return;
       case TaskKind::compress:
+        report_.compressions.push_back(object_row(i));
+        return;
       case TaskKind::export_:
         return;  // told with the image that needs it
     }
   }
 
   /// An image that was not made because its export or bake failed has failed as well: it is the row that
-  /// people see.
+  /// people see. So has a compression, which stands between the two.
   Outcome outcome_of(std::size_t i) const {
     switch (outcomes_[i].state) {
       case TaskState::done:
@@ -146,11 +163,11 @@ class Gatherer {
       default:
         break;
     }
-    const auto& deps = plan_.tasks[i].deps;
+    const Task& task = plan_.tasks[i];
     const bool failed_before =
-        (plan_.tasks[i].kind == TaskKind::reference || plan_.tasks[i].kind == TaskKind::snapshot) &&
-        std::any_of(deps.begin(), deps.end(),
-                    [&](std::size_t dep) { return outcomes_[dep].state == TaskState::failed; });
+        (task.kind == TaskKind::reference || task.kind == TaskKind::snapshot ||
+         task.kind == TaskKind::compress) &&
+        std::ranges::any_of(task.deps, [&](std::size_t dep) { return outcome_of(dep) == Outcome::failed; });
     return failed_before ? Outcome::failed : Outcome::skipped;
   }
 
@@ -186,6 +203,29 @@ class Gatherer {
       image.warnings = entry.result.warnings;
     }
     report_.images.push_back(std::move(image));
+  }
+
+  ReportObject object_row(std::size_t i) const {
+    const Task& task = plan_.tasks[i];
+    ReportObject row;
+    row.scene = plan_.job.scenes[std::size_t(task.scene)].name;
+    const auto& objects = facts_.scenes[std::size_t(task.scene)].objects;
+    row.object = std::ranges::find(objects, task.object, &ObjectFacts::entity)->name;
+    for (const int variant : drawn_by_[i])
+      row.variants.push_back(plan_.job.variants[std::size_t(variant)].name);
+    row.outcome = outcome_of(i);
+    row.error = outcomes_[i].reason;
+    if (row.outcome == Outcome::ok) {
+      const LedgerEntry& entry = *outcomes_[i].entry;
+      row.seconds = entry.result.seconds;
+      row.cpu_seconds = entry.result.cpu_seconds;
+      row.cached = outcomes_[i].state == TaskState::cached;
+      row.contended = entry.contended;
+      row.noise = entry.result.noise;
+      row.ray_rates = entry.result.ray_rates;
+      row.numbers = entry.result.metrics;
+    }
+    return row;
   }
 
   void add_export(const Task& task, const std::string& stem, ReportImage& image) {
@@ -228,6 +268,7 @@ class Gatherer {
   const Plan& plan_;
   const PlanFacts& facts_;
   const std::vector<TaskOutcome>& outcomes_;
+  const std::vector<std::set<int>> drawn_by_;
   RunReport report_;
 };
 
@@ -291,8 +332,8 @@ ExitCode exit_code_of(const RunReport& report, const std::vector<TaskOutcome>& o
 
 ExitCode exit_code_of(const RunReport& report) {
   const auto failed = [](const auto& row) { return row.outcome == Outcome::failed; };
-  if (std::any_of(report.images.begin(), report.images.end(), failed) ||
-      std::any_of(report.scores.begin(), report.scores.end(), failed))
+  if (std::ranges::any_of(report.images, failed) || std::ranges::any_of(report.scores, failed) ||
+      std::ranges::any_of(report.bakes, failed) || std::ranges::any_of(report.compressions, failed))
     return ExitCode::task_failed;
   const auto passed = [](const ReportGate& gate) { return gate.state != GateState::not_met; };
   return std::all_of(report.gates.begin(), report.gates.end(), passed) ? ExitCode::ok : ExitCode::gate_failed;

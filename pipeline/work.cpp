@@ -114,6 +114,10 @@ TaskResult TaskWorker::Impl::bake(const Task& task) {
   result.noise = baked.news.noise;
   for (const RayRate& rate : baked.news.rays)
     if (rate.seconds > 0) result.ray_rates[rate.name] = double(rate.rays) / rate.seconds;
+  result.metrics = {{"width", MetricValue::of(baked.stack.width)},
+                    {"height", MetricValue::of(baked.stack.height)},
+                    {"texels", MetricValue::of(double(baked.texels))},
+                    {"directions", MetricValue::of(baked.stack.grid.layers())}};
   write_radiance(file(task.outputs.front()), baked.stack);
   return result;
 }
@@ -122,6 +126,8 @@ TaskResult TaskWorker::Impl::compress(const Task& task) {
   load(task);
   const JobVariant& variant = job().variants[std::size_t(task.variant)];
   const ParamValues params = variant_params(variant);
+  const Stopwatch watch;
+  const double cpu_start = own_cpu_seconds();
   const std::string stem = object_file_stem(scene, std::size_t(task.object));
   const HalfStack stack =
       read_half_radiance(file(baked_folder(job(), task.scene, variant)) / (stem + ".mtex"));
@@ -130,6 +136,8 @@ TaskResult TaskWorker::Impl::compress(const Task& task) {
   const CodecReport report = radiance_codec(params).compress(
       stack, counts, params, file(compressed_folder(job(), task.scene, variant)) / stem);
   TaskResult result;
+  result.seconds = watch.seconds();
+  result.cpu_seconds = own_cpu_seconds() - cpu_start;
   for (const auto& [name, value] : codec_numbers(report)) result.metrics[name] = MetricValue::of(value);
   return result;
 }

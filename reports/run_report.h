@@ -96,6 +96,25 @@ struct ReportScore {
   std::vector<std::string> warnings;    ///< e.g. another number of bounces than the reference
 };
 
+/// An object whose radiance was baked, or what a codec made of one.
+struct ReportObject {
+  std::string scene;
+  std::string object;                 ///< name of the entity
+  std::vector<std::string> variants;  ///< all that draw it
+  Outcome outcome = Outcome::ok;
+  std::string error;
+  double seconds = 0;
+  double cpu_seconds = 0;
+  bool cached = false;                      ///< made by an earlier run
+  bool contended = true;                    ///< other tasks ran at the same time
+  std::optional<double> noise;              ///< of a bake: estimated mean error of its indirect light, of 255
+  std::map<std::string, double> ray_rates;  ///< of a bake: rays a second by class of ray
+  /// Of a bake: width, height, texels, directions. Of a compression: those, raw_bytes, bytes.EXTENSION of
+  /// each file, ratio, changed_values, changed, mean_changed_error, error_99, max_error, max_component_error,
+  /// colors.
+  std::map<std::string, MetricValue> numbers;
+};
+
 enum class GateState {
   met,
   not_met,
@@ -128,6 +147,8 @@ struct RunReport {
   std::vector<ReportImageSource> references;
   std::vector<ReportImage> images;
   std::vector<ReportScore> scores;
+  std::vector<ReportObject> bakes;
+  std::vector<ReportObject> compressions;
   std::vector<ReportGate> gates;
   std::vector<std::string> warnings;
 };

@@ -105,6 +105,22 @@ void visit(Archive& archive, T& score) requires std::is_same_v<std::remove_const
 }
 
 template <typename Archive, typename T>
+void visit(Archive& archive, T& object) requires std::is_same_v<std::remove_const_t<T>, ReportObject> {
+  archive.required("scene", object.scene);
+  archive.required("object", object.object);
+  archive.required("variants", object.variants);
+  archive.required("outcome", object.outcome);
+  archive.optional("error", object.error);
+  archive.required("seconds", object.seconds);
+  archive.optional("cpu_seconds", object.cpu_seconds);
+  archive.required("cached", object.cached);
+  archive.required("contended", object.contended);
+  archive.optional("noise", object.noise);
+  archive.optional("ray_rates", object.ray_rates);
+  archive.optional("numbers", object.numbers);
+}
+
+template <typename Archive, typename T>
 void visit(Archive& archive, T& gate) requires std::is_same_v<std::remove_const_t<T>, ReportGate> {
   archive.required("text", gate.text);
   archive.required("state", gate.state);
@@ -131,6 +147,8 @@ void visit(Archive& archive, T& report) requires std::is_same_v<std::remove_cons
   archive.required("references", report.references);
   archive.required("images", report.images);
   archive.required("scores", report.scores);
+  archive.optional("bakes", report.bakes);
+  archive.optional("compressions", report.compressions);
   archive.required("gates", report.gates);
   archive.optional("warnings", report.warnings);
 }

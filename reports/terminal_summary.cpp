@@ -5,6 +5,7 @@
 #include "reports/aligned_table.h"
 #include "reports/ceiling.h"
 #include "reports/escape.h"
+#include "reports/object_tables.h"
 #include "reports/reference_facts.h"
 #include "reports/report_formats.h"
 #include "reports/value_text.h"
@@ -55,18 +56,18 @@ std::vector<std::string> summary_row(const RunReport& report, const std::string&
   return row;
 }
 
-std::string failure_lines(const RunReport& report) {
-  std::vector<std::string> lines;
-  const auto add = [&](const auto& row, const std::string& task) {
-    if (row.outcome == Outcome::failed)
-      lines.push_back(fmt::format("failed: {}/{} {}: {}", row.scene, row.view, task, row.error));
-  };
-  for (const ReportImage& image : report.images) add(image, image.source);
-  for (const ReportScore& score : report.scores) add(score, score.variant + " against " + score.reference);
+std::string first_lines(const std::vector<std::string>& lines) {
   std::string text;
   for (std::size_t i = 0; i < std::min(lines.size(), kListed); ++i) text += plain_line(lines[i]) + "\n";
   if (lines.size() > kListed) text += fmt::format("... and {} more\n", lines.size() - kListed);
   return text;
+}
+
+std::string failure_lines(const RunReport& report) {
+  std::vector<std::string> lines;
+  for (const FailedTask& task : failed_tasks(report))
+    lines.push_back(fmt::format("failed: {} {}: {}", task.where, task.what, task.error));
+  return first_lines(lines);
 }
 
 std::string gate_lines(const RunReport& report) {
@@ -91,8 +92,9 @@ std::string terminal_summary(const RunReport& report) {
   for (const ReportImageSource& variant : report.variants)
     for (const ReportImageSource& reference : report.references)
       table.push_back(summary_row(report, variant.name, reference.name, leading));
-  return (table.size() > 1 ? aligned(table) : "") + reference_lines(report) + gate_lines(report) +
-         failure_lines(report) + plain_line(verdict_text(count_outcomes(report))) + "\n";
+  return (table.size() > 1 ? aligned(table) : "") + reference_lines(report) +
+         first_lines(object_lines(report)) + gate_lines(report) + failure_lines(report) +
+         plain_line(verdict_text(count_outcomes(report))) + "\n";
 }
 
 }  // namespace lightbench

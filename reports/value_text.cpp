@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
+
 namespace lightbench {
 
 Metric metric_or_plain(const std::string& name) {
@@ -43,19 +45,46 @@ std::string counted(std::size_t count, const std::string& noun) {
 RunCounts count_outcomes(const RunReport& report) {
   RunCounts counts;
   std::set<std::pair<std::string, std::string>> views;
-  const auto add = [&](const auto& row) {
-    views.emplace(row.scene, row.view);
-    counts.failed += row.outcome == Outcome::failed;
-    counts.skipped += row.outcome == Outcome::skipped;
+  const auto add = [&](const auto& rows) {
+    for (const auto& row : rows) {
+      counts.failed += row.outcome == Outcome::failed;
+      counts.skipped += row.outcome == Outcome::skipped;
+    }
   };
-  for (const ReportImage& image : report.images) add(image);
-  for (const ReportScore& score : report.scores) add(score);
+  add(report.bakes);
+  add(report.compressions);
+  add(report.images);
+  add(report.scores);
+  for (const ReportImage& image : report.images) views.emplace(image.scene, image.view);
+  for (const ReportScore& score : report.scores) views.emplace(score.scene, score.view);
   for (const ReportGate& gate : report.gates) {
     ++(gate.state == GateState::not_met ? counts.gates_not_met : counts.gates_met);
     counts.gates_within_noise += gate.state == GateState::within_noise;
   }
   counts.views = views.size();
   return counts;
+}
+
+std::vector<FailedTask> failed_tasks(const RunReport& report) {
+  std::vector<FailedTask> failed;
+  const auto add = [&](const auto& row, const std::string& where, const std::string& what) {
+    if (row.outcome == Outcome::failed) failed.push_back({where, what, row.error});
+  };
+  for (const ReportObject& object : report.bakes) add(object, object.scene, object_task("bake", object));
+  for (const ReportObject& object : report.compressions)
+    add(object, object.scene, object_task("compression", object));
+  for (const ReportImage& image : report.images) add(image, image.scene + "/" + image.view, image.source);
+  for (const ReportScore& score : report.scores)
+    add(score, score.scene + "/" + score.view, score.variant + " against " + score.reference);
+  return failed;
+}
+
+std::string variants_text(const ReportObject& object) {
+  return join(object.variants, "; ");  // names like "piecewise, 6" have commas
+}
+
+std::string object_task(const std::string& task, const ReportObject& object) {
+  return fmt::format("{} of {} ({})", task, object.object, variants_text(object));
 }
 
 std::string gate_state_text(GateState state) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "reports/metric.h"
 #include "reports/run_report.h"
@@ -29,13 +30,28 @@ std::string counted(std::size_t count, const std::string& noun);
 /// What a run came to.
 struct RunCounts {
   std::size_t views = 0;
-  std::size_t failed = 0;  ///< images and scores
+  std::size_t failed = 0;  ///< images, scores, bakes and compressions
   std::size_t skipped = 0;
   std::size_t gates_met = 0;  ///< those within the noise too
   std::size_t gates_not_met = 0;
   std::size_t gates_within_noise = 0;
 };
 RunCounts count_outcomes(const RunReport& report);
+
+/// A task that failed: on which view or scene, what it was to make, and why it did not.
+struct FailedTask {
+  std::string where;
+  std::string what;
+  std::string error;
+};
+/// Those before others first.
+std::vector<FailedTask> failed_tasks(const RunReport& report);
+
+/// The variants that draw an object: "raw; piecewise".
+std::string variants_text(const ReportObject& object);
+
+/// "bake of floor (raw; piecewise)".
+std::string object_task(const std::string& task, const ReportObject& object);
 
 /// "met", "not met", "within noise".
 std::string gate_state_text(GateState state);

@@ -43,6 +43,8 @@ std::string navigation(const RunReport& report, bool problems) {
   if (problems) links += "<a href=\"#problems\">Problems</a>";
   links += "<a href=\"#pictures\">Pictures</a>";
   if (!report.scores.empty()) links += "<a href=\"#scores\">Scores</a>";
+  if (!report.bakes.empty() || !report.compressions.empty())
+    links += "<a href=\"#objects\">Baked objects</a>";
   links += "<a href=\"#about\">About this run</a>";
   return "<nav>" + links + "</nav>\n";
 }
@@ -64,7 +66,7 @@ std::vector<ReportFile> write_html(const RunReport& report) {
       h(report.job), kReportCss);
   page += header(report) + navigation(report, !problems.empty()) + "<main>\n";
   page += html_summary(report, rows) + html_sequences(report, rows) + html_gates(report) + problems +
-          html_pictures(report, rows) + html_scores(report, rows) + html_about(report);
+          html_pictures(report, rows) + html_scores(report, rows) + html_objects(report) + html_about(report);
   page += "</main>\n<script type=\"application/json\" id=\"run-data\">" + html_data(report, rows) +
           "</script>\n<script>\n" + kReportJs + "</script>\n</body>\n</html>\n";
   return {{"index.html", page}};

@@ -42,6 +42,9 @@ std::string html_problems(const RunReport& report);
 std::string html_pictures(const RunReport& report, const ViewRows& rows);
 /// All numbers: a row for each view, variant and reference.
 std::string html_scores(const RunReport& report, const ViewRows& rows);
+/// What baked and compressed objects cost: a table for each scene and the variants that share them; empty
+/// where there are none.
+std::string html_objects(const RunReport& report);
 /// Variants, references, scenes, credits, tools, and what the metrics mean.
 std::string html_about(const RunReport& report);
 /// What the script needs to know, as JSON for a <script> element.

@@ -259,20 +259,18 @@ std::string html_problems(const RunReport& report) {
   const auto add = [](std::vector<std::string>& list, const std::string& who, const std::string& what) {
     list.push_back(fmt::format("<b>{}</b> {}", h(who), h(what)));
   };
+  for (const FailedTask& task : failed_tasks(report)) add(failed, task.where + " " + task.what, task.error);
   for (const std::string& warning : report.warnings) add(warnings, "", warning);
   for (const ReportScene& scene : report.scenes)
     for (const std::string& warning : scene.warnings) add(warnings, scene.name, warning);
-  for (const ReportImage& image : report.images) {
-    const std::string who = fmt::format("{}/{} {}", image.scene, image.view, image.source);
-    if (image.outcome == Outcome::failed) add(failed, who, image.error);
-    for (const std::string& warning : image.warnings) add(warnings, who, warning);
-  }
-  for (const ReportScore& score : report.scores) {
-    const std::string who =
-        fmt::format("{}/{} {} against {}", score.scene, score.view, score.variant, score.reference);
-    if (score.outcome == Outcome::failed) add(failed, who, score.error);
-    for (const std::string& warning : score.warnings) add(warnings, who, warning);
-  }
+  for (const ReportImage& image : report.images)
+    for (const std::string& warning : image.warnings)
+      add(warnings, fmt::format("{}/{} {}", image.scene, image.view, image.source), warning);
+  for (const ReportScore& score : report.scores)
+    for (const std::string& warning : score.warnings)
+      add(warnings,
+          fmt::format("{}/{} {} against {}", score.scene, score.view, score.variant, score.reference),
+          warning);
   if (failed.empty() && warnings.empty()) return "";
   std::string html = "<section id=\"problems\"><h2>Problems</h2>\n";
   if (!failed.empty())

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "reports/escape.h"
+#include "reports/value_text.h"
 
 namespace lightbench {
 namespace {
@@ -82,6 +83,16 @@ Suite scores_suite(const RunReport& report) {
   return suite;
 }
 
+Suite objects_suite(const RunReport& report) {
+  Suite suite = suite_named("objects");
+  const auto add = [&](const std::string& task, const ReportObject& object) {
+    add_task(suite, object.scene, object_task(task, object), object.seconds, object.outcome, object.error);
+  };
+  for (const ReportObject& object : report.bakes) add("bake", object);
+  for (const ReportObject& object : report.compressions) add("compression", object);
+  return suite;
+}
+
 std::string counts(const Suite& suite) {
   return fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\"", suite.tests,
                      suite.failures, suite.errors, suite.skipped, suite.seconds);
@@ -92,7 +103,8 @@ std::string counts(const Suite& suite) {
 std::vector<ReportFile> write_junit(const RunReport& report) {
   Suite total;
   std::string body;
-  for (const Suite& suite : {gates_suite(report), images_suite(report), scores_suite(report)}) {
+  for (const Suite& suite :
+       {gates_suite(report), objects_suite(report), images_suite(report), scores_suite(report)}) {
     total.tests += suite.tests;
     total.failures += suite.failures;
     total.errors += suite.errors;

@@ -7,6 +7,7 @@
 #include "reports/ceiling.h"
 #include "reports/cost_chart.h"
 #include "reports/escape.h"
+#include "reports/object_tables.h"
 #include "reports/reference_facts.h"
 #include "reports/sequences.h"
 #include "reports/value_text.h"
@@ -17,7 +18,8 @@ namespace {
 constexpr std::size_t kRows = 100;  ///< of any one table
 constexpr std::size_t kWorstViews = 10;
 constexpr std::size_t kMetrics = 16;
-constexpr std::size_t kCell = 300;  ///< characters
+constexpr std::size_t kCell = 300;           ///< characters
+constexpr std::size_t kObjectText = 100000;  ///< bytes after which no table of objects begins
 
 std::string cell(const std::string& text) {
   return escape_markdown(shortened(clean_utf8(text), kCell));
@@ -121,6 +123,38 @@ std::string sequences(const RunReport& report) {
   return text + more(all.size()) + "\n";
 }
 
+std::string object_row(const ObjectTable& table, const ObjectRow& object) {
+  std::vector<std::string> cells{cell(object.object)};
+  if (object.problem.empty()) {
+    cells.insert(cells.end(), object.cells.begin(), object.cells.end());
+  } else {
+    cells.push_back(cell(object.problem));
+    cells.resize(1 + table.columns.size());
+  }
+  return row(cells);
+}
+
+std::string object_table(const ObjectTable& table) {
+  std::vector<std::string> heading{"object"}, rule{":--"};
+  for (const ObjectColumn& column : table.columns) {
+    heading.push_back(cell(column.heading));
+    rule.emplace_back("--:");
+  }
+  std::string text =
+      fmt::format("**{}** in {}\n\n", cell(table.variants), cell(table.scene)) + row(heading) + row(rule);
+  for (std::size_t i = 0; i < std::min(table.rows.size(), kRows); ++i)
+    text += object_row(table, table.rows[i]);
+  return text + object_row(table, table.whole) + more(table.rows.size()) + "\n";
+}
+
+std::string objects(const char* title, const std::vector<ObjectTable>& tables, const char* note) {
+  std::string text;
+  std::size_t shown = 0;
+  for (; shown < tables.size() && text.size() < kObjectText; ++shown) text += object_table(tables[shown]);
+  if (shown < tables.size()) text += fmt::format("… and {} more tables.\n\n", tables.size() - shown);
+  return tables.empty() ? "" : fmt::format("### {}\n\n{}{}\n\n", title, text, note);
+}
+
 std::string worst_views(const RunReport& report) {
   const std::string leading = leading_metric(report);
   if (leading.empty()) return "";
@@ -143,18 +177,12 @@ std::string worst_views(const RunReport& report) {
 }
 
 std::string failures(const RunReport& report) {
-  std::vector<std::string> rows;
-  for (const ReportImage& image : report.images)
-    if (image.outcome == Outcome::failed)
-      rows.push_back(row({cell(image.scene + "/" + image.view), cell(image.source), cell(image.error)}));
-  for (const ReportScore& score : report.scores)
-    if (score.outcome == Outcome::failed)
-      rows.push_back(row({cell(score.scene + "/" + score.view),
-                          cell(score.variant + " against " + score.reference), cell(score.error)}));
-  if (rows.empty()) return "";
+  const std::vector<FailedTask> failed = failed_tasks(report);
+  if (failed.empty()) return "";
   std::string text = "### Failed\n\n" + row({"view", "task", "error"}) + row({":--", ":--", ":--"});
-  for (std::size_t i = 0; i < std::min(rows.size(), kRows); ++i) text += rows[i];
-  return text + more(rows.size()) + "\n";
+  for (std::size_t i = 0; i < std::min(failed.size(), kRows); ++i)
+    text += row({cell(failed[i].where), cell(failed[i].what), cell(failed[i].error)});
+  return text + more(failed.size()) + "\n";
 }
 
 }  // namespace
@@ -166,7 +194,8 @@ std::vector<ReportFile> write_markdown(const RunReport& report) {
   if (!report.baseline.empty()) text += ", baseline " + cell(report.baseline);
   text += fmt::format(", {}.\n\n", duration_text(report.seconds));
   text += failures(report) + gates(report) + means(report) + sequences(report) + references(report) +
-          worst_views(report);
+          objects("Baked objects", bake_tables(report), kBakeNote) +
+          objects("Compressed objects", compression_tables(report), kCompressionNote) + worst_views(report);
   return {{"summary.md", text}};
 }
 

@@ -1,5 +1,7 @@
 #include "pipeline/gather.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,6 +14,7 @@ namespace {
 using test::index_of;
 using test::replaced;
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class Gather : public ::testing::Test {
@@ -124,8 +127,81 @@ TEST_F(Gather, WhatTheSceneLacksIsToldWithIt) {
   facts.scenes[0].credits = {{"chair", "someone", "CC0"}};
   const RunReport made = gather_report(plan_, facts, outcomes_, {});
   EXPECT_THAT(made.scenes[0].warnings,
-              ::testing::ElementsAre("bump maps are ignored", "povray: a light is approximated"));
+              ElementsAre("bump maps are ignored", "povray: a light is approximated"));
   EXPECT_EQ(made.scenes[0].credits.at(0).creator, "someone");
+}
+
+/// Two objects in scene "one" (and "two"), drawn as they are baked, and in two ways from the same compressed
+/// files.
+class GatherObjects : public ::testing::Test {
+ protected:
+  static constexpr const char* kVariants = R"(
+      {"name": "raw", "technique": "surface_radiance"},
+      {"name": "six", "technique": "surface_radiance", "params": {"codec": "piecewise"}},
+      {"name": "binary", "technique": "surface_radiance", "params": {"codec": "piecewise", "search": "binary"}})";
+
+  GatherObjects() {
+    for (SceneFacts& scene : facts_.scenes) {
+      scene.objects = {{0, "the/floor", "0000-floor"}, {2, "box", "0002-box"}};
+      scene.texels.assign(job_.variants.size(), {100, 300});
+    }
+    plan_ = make_plan(job_, facts_, "/out");
+    outcomes_.assign(plan_.tasks.size(), {TaskState::done, "", 0, LedgerEntry{}});
+  }
+  TaskOutcome& outcome(const std::string& id) { return outcomes_[index_of(plan_, id)]; }
+  RunReport report() const { return gather_report(plan_, facts_, outcomes_, {}); }
+
+  Job job_ =
+      test::concrete_job(replaced(test::kJobText, R"({"name": "other", "technique": "ambient"})", kVariants));
+  PlanFacts facts_ = test::facts_for(job_);
+  Plan plan_;
+  std::vector<TaskOutcome> outcomes_;
+};
+
+TEST_F(GatherObjects, EachStandsInTheReportOnceWithAllVariantsThatDrawIt) {
+  const RunReport made = report();
+  ASSERT_EQ(made.bakes.size(), 4u);
+  EXPECT_EQ(made.bakes[0].scene, "one");
+  EXPECT_EQ(made.bakes[0].object, "the/floor");
+  EXPECT_EQ(made.bakes[1].object, "box");
+  EXPECT_EQ(made.bakes[2].scene, "two");
+  EXPECT_THAT(made.bakes[0].variants, ElementsAre("raw", "six", "binary"));
+  ASSERT_EQ(made.compressions.size(), 4u);
+  EXPECT_THAT(made.compressions[0].variants, ElementsAre("six", "binary"));
+}
+
+TEST_F(GatherObjects, TellWhatTheirTasksTold) {
+  TaskOutcome& box = outcome("bake:one/raw/0002-box");
+  box.state = TaskState::cached;
+  box.entry->result.cpu_seconds = 2.5;
+  box.entry->result.noise = 0.25;
+  box.entry->result.ray_rates["shadow"] = 1e6;
+  outcome("compress:one/six/0002-box").entry->result.metrics["ratio"] = MetricValue::of(12);
+  const RunReport made = report();
+  EXPECT_TRUE(made.bakes[1].cached);
+  EXPECT_EQ(made.bakes[1].cpu_seconds, 2.5);
+  EXPECT_EQ(made.bakes[1].noise, 0.25);
+  EXPECT_EQ(made.bakes[1].ray_rates.at("shadow"), 1e6);
+  EXPECT_EQ(made.compressions[1].numbers.at("ratio"), MetricValue::of(12));
+}
+
+TEST_F(GatherObjects, WhatNeedsAFailedBakeHasFailedToo) {
+  outcome("bake:one/raw/0002-box") = {TaskState::failed, "no texels", 0, std::nullopt};
+  outcome("compress:one/six/0002-box") = {TaskState::skipped, "needs the bake, which failed", 0,
+                                          std::nullopt};
+  outcome("snapshot:one/a/six") = {TaskState::skipped, "needs the compression", 0, std::nullopt};
+  const RunReport made = report();
+  EXPECT_EQ(made.bakes[1].error, "no texels");
+  EXPECT_EQ(made.bakes[0].outcome, Outcome::ok);
+  EXPECT_EQ(made.compressions[1].outcome, Outcome::failed);
+  const auto six = std::ranges::find(made.images, "six", &ReportImage::source);
+  EXPECT_EQ(six->outcome, Outcome::failed);
+}
+
+TEST_F(GatherObjects, AFailedOneDecidesTheExitCodeOfAStoredReport) {
+  RunReport made;
+  made.compressions.emplace_back().outcome = Outcome::failed;
+  EXPECT_EQ(exit_code_of(made), ExitCode::task_failed);
 }
 
 TEST(GatherSequences, FramesStandInTheirOrderWithTheirTimes) {

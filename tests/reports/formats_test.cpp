@@ -132,7 +132,7 @@ TEST(JunitReport, CountsFailuresAndErrors) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          "<testsuites name=\"rooms &amp; more\" tests=\"16\" failures=\"1\" errors=\"2\" skipped=\"1\""));
+          "<testsuites name=\"rooms &amp; more\" tests=\"20\" failures=\"1\" errors=\"3\" skipped=\"1\""));
 }
 
 TEST(MarkdownReport, HostileTextCannotMakeCellsOrMarkup) {
@@ -149,6 +149,11 @@ TEST(MarkdownReport, StaysSmallForAHugeRun) {
     run.gates.push_back({long_text, GateState::not_met, long_text});
     run.scores.push_back(run.scores[3]);
     run.scores.back().error = long_text;
+    run.bakes.push_back(run.bakes[0]);
+    run.bakes.back().scene = std::to_string(i % 100) + long_text;
+    run.bakes.back().object = long_text;
+    run.compressions.push_back(run.compressions[1]);
+    run.compressions.back().error = long_text;
   }
   EXPECT_LT(written("markdown", run).size(), std::size_t(1) << 20);
 }

@@ -67,6 +67,12 @@ TEST(RunReportJson, KeepsEveryKindOfField) {
   EXPECT_EQ(run.scores[1].metrics.at("gain"), MetricValue::of(25));
   EXPECT_EQ(run.gates[0].state, GateState::not_met);
   EXPECT_EQ(run.gates[2].state, GateState::within_noise);
+  EXPECT_EQ(run.bakes[0].variants, (std::vector<std::string>{"raw", "packed"}));
+  EXPECT_EQ(run.bakes[0].ray_rates.at("shadow"), 2e7);
+  EXPECT_EQ(run.bakes[1].noise, 0.1);
+  EXPECT_TRUE(run.bakes[1].cached);
+  EXPECT_EQ(run.compressions[0].numbers.at("bytes.mtnc"), MetricValue::of(2e5));
+  EXPECT_EQ(run.compressions[1].outcome, Outcome::failed);
   EXPECT_EQ(run.images[0].noise, 0.25);
   EXPECT_FALSE(run.images[1].noise);
   EXPECT_EQ(run.images[1].ray_rates.at("primary"), 8e6);
@@ -92,7 +98,11 @@ TEST(RunReportJson, TheSchemaRefusesWhatTheReaderRefuses) {
   null_metric["scores"][0]["metrics"]["gain"] = nullptr;
   nlohmann::json outcome = sample_json();
   outcome["scores"][0]["outcome"] = "fine";
-  for (const nlohmann::json& document : {unknown_key, null_metric, outcome}) {
+  nlohmann::json nameless = sample_json();
+  nameless["bakes"][0].erase("object");
+  nlohmann::json null_number = sample_json();
+  null_number["compressions"][0]["numbers"]["ratio"] = nullptr;
+  for (const nlohmann::json& document : {unknown_key, null_metric, outcome, nameless, null_number}) {
     EXPECT_NE(schema_errors(document), "");
     EXPECT_NE(error_of(document), "no error");
   }

@@ -48,6 +48,49 @@ void add_view(RunReport& run, const std::string& scene, const std::string& view,
   run.images.back().passes = {{"g-buffer", 0.125}, {"gather", 0.375}};
 }
 
+ReportObject object(const std::string& name, const std::vector<std::string>& variants, double cpu_seconds,
+                    const std::map<std::string, double>& numbers) {
+  ReportObject result;
+  result.scene = "office";
+  result.object = name;
+  result.variants = variants;
+  result.seconds = cpu_seconds + 0.5;
+  result.cpu_seconds = cpu_seconds;
+  for (const auto& [key, value] : numbers) result.numbers[key] = MetricValue::of(value);
+  return result;
+}
+
+void add_objects(RunReport& run) {
+  const std::vector<std::string> baked{"raw", "packed"}, packed{"packed"};
+  run.bakes = {
+      object("floor", baked, 4, {{"width", 130}, {"height", 100}, {"texels", 12000}, {"directions", 400}}),
+      object(kHostileObject, baked, 1,
+             {{"width", 64}, {"height", 128}, {"texels", 4000}, {"directions", 400}})};
+  run.bakes[0].noise = 0.5;
+  run.bakes[1].noise = 0.1;
+  run.bakes[0].ray_rates = {{"shadow", 2e7}};
+  run.bakes[1].cached = true;
+  run.compressions = {object("floor", packed, 2,
+                             {{"width", 130},
+                              {"height", 100},
+                              {"texels", 12500},
+                              {"directions", 400},
+                              {"raw_bytes", 1.5e7},
+                              {"bytes.mti", 5e4},
+                              {"bytes.mtnc", 2e5},
+                              {"ratio", 60},
+                              {"changed_values", 1e6},
+                              {"changed", 0.2},
+                              {"mean_changed_error", 1.25},
+                              {"error_99", 4},
+                              {"max_error", 5.5},
+                              {"max_component_error", 9},
+                              {"colors", 2345}}),
+                      object(kHostileObject, packed, 0, {})};
+  run.compressions[1].outcome = Outcome::failed;
+  run.compressions[1].error = kHostileError;
+}
+
 void describe_job(RunReport& run) {
   run.job = "rooms & more";
   run.job_file = "jobs/rooms.json";
@@ -84,6 +127,7 @@ RunReport sample_run() {
   run.scores[3].error = kHostileError;
   run.scores[3].difference_png = run.scores[3].heat_png = "";
   run.scores.push_back(score("office", "desk", "path", "views/office/desk/", {0.4, 0.999, 95}));
+  add_objects(run);
   run.images.back().outcome = Outcome::failed;
   run.images.back().error = kHostileError;
   run.images.back().png = run.images.back().exr = "";

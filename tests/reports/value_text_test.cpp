@@ -38,10 +38,17 @@ TEST(DurationText, PicksItsUnit) {
 TEST(CountOutcomes, CountsViewsFailuresAndGates) {
   const RunCounts counts = count_outcomes(test::sample_run());
   EXPECT_EQ(counts.views, 2u);
-  EXPECT_EQ(counts.failed, 2u);
+  EXPECT_EQ(counts.failed, 3u);
   EXPECT_EQ(counts.gates_met, 2u);
   EXPECT_EQ(counts.gates_within_noise, 1u);
   EXPECT_EQ(counts.gates_not_met, 1u);
+}
+
+TEST(FailedTasks, AreThoseOfObjectsImagesAndScores) {
+  std::vector<std::string> what;
+  for (const FailedTask& task : failed_tasks(test::sample_run())) what.push_back(task.what);
+  EXPECT_EQ(what, (std::vector<std::string>{"compression of <b>wall</b>|`x` (packed)", "isr-48",
+                                            "isr-48 against povray"}));
 }
 
 TEST(VerdictText, SaysWhatTheRunCameTo) {
