@@ -215,7 +215,7 @@ struct BufferFormatRow {
 };
 // By value of BufferFormat.
 constexpr std::array kBufferFormats{BufferFormatRow{GL_R16UI, 2}, BufferFormatRow{GL_R32UI, 4},
-                                    BufferFormatRow{GL_RGBA8UI, 4}};
+                                    BufferFormatRow{GL_RG32UI, 8}, BufferFormatRow{GL_RGBA8UI, 4}};
 
 }  // namespace
 

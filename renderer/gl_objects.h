@@ -110,7 +110,7 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
-enum class BufferFormat { r16ui, r32ui, rgba8ui };
+enum class BufferFormat { r16ui, r32ui, rg32ui, rgba8ui };
 
 /// A long row of whole numbers that shaders read with texelFetch from a usamplerBuffer.
 class BufferTexture {

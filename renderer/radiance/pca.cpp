@@ -22,6 +22,18 @@ std::size_t PcaStack::bytes() const {
          size(first_correction) + size(corrections);
 }
 
+PcaLine mean_line(const PcaStack& stack) {
+  return {stack.mean_offset, stack.mean_scale / 65535};
+}
+
+std::vector<PcaLine> coefficient_lines(const PcaStack& stack) {
+  const std::size_t wide = stack.wide_coefficients();
+  std::vector<PcaLine> lines;
+  for (std::size_t k = 0; k < stack.coefficients(); ++k)
+    lines.push_back({stack.offset[k] / 32767, stack.scale[k] / 32767 / (k < wide ? 65535 : 255)});
+  return lines;
+}
+
 std::size_t direction_index(const PcaStack& stack, int layer) {
   if (stack.matte) return 0;
   const glm::ivec2 place = stack.grid.place(layer);
@@ -58,31 +70,32 @@ PcaDecoder::PcaDecoder(const PcaStack& stack)
       layers_(stack.directions()),
       wide_(stack.wide_coefficients()),
       narrow_(stack.narrow_coefficients()),
+      lines_(coefficient_lines(stack)),
       mean_(3 * layers_),
       basis_(3 * layers_ * stack.coefficients()) {
+  const PcaLine line = mean_line(stack);
   for (std::size_t layer = 0; layer < layers_; ++layer) {
     const std::size_t d = direction_index(stack, int(layer));
     for (std::size_t c = 0; c < 3; ++c) {
-      mean_[c * layers_ + layer] =
-          stack.mean_offset + stack.mean_scale * (float(stack.mean[3 * d + c]) / 65535);
+      mean_[c * layers_ + layer] = line.offset + line.step * float(stack.mean[3 * d + c]);
       for (std::size_t k = 0; k < stack.coefficients(); ++k)
-        basis_[(3 * k + c) * layers_ + layer] = float(stack.basis[basis_index(stack, k, c, d)]) / 32767;
+        basis_[(3 * k + c) * layers_ + layer] = float(stack.basis[basis_index(stack, k, c, d)]);
     }
   }
 }
 
-/// What is stored, 0..1.
-float PcaDecoder::stored(std::size_t texel, std::size_t k) const {
+int PcaDecoder::stored(std::size_t texel, std::size_t k) const {
   const auto at = [&](std::size_t i) { return 4 * (i / 4 * stack_.texels() + texel) + i % 4; };
-  if (k < wide_) return float(stack_.wide[at(k)]) / 65535;
-  if (k < wide_ + narrow_) return float(stack_.narrow[at(k - wide_)]) / 255;
+  if (k < wide_) return stack_.wide[at(k)];
+  if (k < wide_ + narrow_) return stack_.narrow[at(k - wide_)];
   const BlockPlace at_block = block_place(stack_, texel);
   const std::size_t index = block_index(stack_, at_block.block, k - wide_ - narrow_);
-  return float(decode_rgtc(stack_.blocks[index], at_block.place)) / 255;
+  return decode_rgtc(stack_.blocks[index], at_block.place);
 }
 
+/// Over 32767.
 float PcaDecoder::coefficient(std::size_t texel, std::size_t k) const {
-  return stack_.offset[k] + stack_.scale[k] * stored(texel, k);
+  return lines_[k].offset + lines_[k].step * float(stored(texel, k));
 }
 
 std::span<const std::uint32_t> PcaDecoder::corrections_of(std::size_t block) const {

@@ -25,7 +25,8 @@ namespace lightbench {
 ///     basis(k, d, c)    = s
 ///
 /// clamped to 0..255; for bytes it is rounded to nearest. Where there are corrections, those of the texel
-/// for this layer are added then, and each sum is clamped again.
+/// for this layer are added then, and each sum is clamped again. They hold a bound only for whoever gets the
+/// same bytes before: PcaLine tells how the sum is computed.
 ///
 /// The first coefficients have 16 bits and the next ones 8, each four of them the RGBA of a texel. The rest,
 /// which need it least, are compressed by RGTC, each two of them the RG of a texel.
@@ -67,6 +68,17 @@ struct PcaStack {
   bool operator==(const PcaStack&) const = default;
 };
 
+/// `offset + step * stored`, of a number as it is stored, 0..65535 or 0..255. In 32-bit floats, and
+/// with coefficients over 32767 and the basis as it is stored, a sum is but sums and products, which are the
+/// same to the bit wherever they are rounded one by one, and added by rising k:
+///
+///     (mean.offset + mean.step * u) + (k0.offset + k0.step * u) * s + (k1.offset + k1.step * u) * s + ...
+struct PcaLine {
+  float offset, step;
+};
+PcaLine mean_line(const PcaStack& stack);
+std::vector<PcaLine> coefficient_lines(const PcaStack& stack);
+
 /// Where a layer's direction is in `mean`: i_theta * phis + i_phi.
 std::size_t direction_index(const PcaStack& stack, int layer);
 /// In `basis`, of coefficient k and component c.
@@ -105,13 +117,14 @@ class PcaDecoder {
   void layers_of(std::size_t texel, std::span<std::array<std::uint8_t, 3>> layers) const;
 
  private:
-  float stored(std::size_t texel, std::size_t k) const;
+  int stored(std::size_t texel, std::size_t k) const;
   float coefficient(std::size_t texel, std::size_t k) const;
   std::span<const std::uint32_t> corrections_of(std::size_t block) const;
   void correct(std::uint32_t packed, std::array<std::uint8_t, 3>& value) const;
 
   const PcaStack& stack_;
   std::size_t layers_, wide_, narrow_;
+  std::vector<PcaLine> lines_;
   std::vector<float> mean_, basis_;  ///< as planes of a component over the grid's layers
 };
 

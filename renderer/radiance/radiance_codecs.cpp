@@ -47,6 +47,10 @@ std::vector<ParamSpec> codec_params() {
                    "of pca: the largest mean error, of 255, over what is not decoded as it was"),
       number_param("error_99", 6.0, 0, 255,
                    "of pca: the error, of 255, that 99 % of all values may not exceed"),
+      integer_param(
+          "bound", 0, 0, 255,
+          "of pca: not 0: instead of those two errors, corrections keep the sum of a value's errors over its "
+          "three components, of 255 each, below this in every value; drawing costs several times as much"),
   };
 }
 

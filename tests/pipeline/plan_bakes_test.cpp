@@ -1,3 +1,5 @@
+#include <set>
+
 #include <gmock/gmock.h>
 
 #include "job_fixture.h"
@@ -77,6 +79,17 @@ TEST(PlanBakes, OtherDirectionsAndOtherThresholdsAreOtherFiles) {
   EXPECT_EQ(ids_of(plan, TaskKind::compress).size(), 6u);
   EXPECT_NE(task_called(plan, "compress:one/six/0000-floor").outputs,
             task_called(plan, "compress:one/nine/0000-floor").outputs);
+}
+
+TEST(PlanBakes, AnotherBoundIsAnotherFile) {
+  const Plan plan =
+      plan_with(variant("free", R"("codec": "pca")") + "," + variant("six", R"("codec": "pca", "bound": 6)") +
+                "," + variant("nine", R"("codec": "pca", "bound": 9)"));
+  EXPECT_EQ(ids_of(plan, TaskKind::compress).size(), 6u);
+  std::set<std::string> keys;
+  for (const char* name : {"free", "six", "nine"})
+    keys.insert(task_called(plan, std::string("compress:one/") + name + "/0000-floor").key);
+  EXPECT_EQ(keys.size(), 3u);
 }
 
 TEST(PlanBakes, BelongToTheStageOfSnapshots) {

@@ -16,7 +16,11 @@ vec3 radiance(vec2 texel, NearestDirections near) {
 #endif
 
 #ifdef CODEC_PCA
+#ifdef CORRECTED
+#include "techniques/surface_radiance/pca_corrected.glsl"
+#else
 #include "techniques/surface_radiance/pca.glsl"
+#endif
 #endif
 
 #ifdef CODEC_PIECEWISE

@@ -8,8 +8,8 @@ layout(binding = 6) uniform sampler2DArray blocks;  // coefficients by two
 layout(std430, binding = 3) readonly buffer Ranges { vec2 ranges[]; };  // of each coefficient: offset, scale
 
 uniform vec2 mean_range;
-uniform ivec2 groups;  // of four coefficients, in `wide` and in `narrow`
-uniform int pairs;     // of coefficients, in `blocks`
+uniform ivec2 groups;    // of four coefficients, in `wide` and in `narrow`
+uniform int compressed;  // coefficients, in `blocks`
 
 // What four coefficients, from number 4 group on, add: `stored` as the texture has them.
 vec3 group_of(int group, vec4 stored, vec2 direction) {
@@ -32,6 +32,7 @@ vec3 radiance(vec2 texel, NearestDirections near) {
   vec3 encoded = mean_range.x + mean_range.y * texture(mean, vec3(direction, 0.0)).rgb;
   for (int i = 0; i < groups.x; ++i) encoded += group_of(i, texture(wide, vec3(at, i)), direction);
   for (int i = 0; i < groups.y; ++i) encoded += group_of(groups.x + i, texture(narrow, vec3(at, i)), direction);
+  int pairs = compressed / 2;
   for (int i = 0; i < pairs; i += 2) {
     vec2 second = i + 1 < pairs ? texture(blocks, vec3(at, i + 1)).rg : vec2(0.0);
     encoded += group_of(groups.x + groups.y + i / 2, vec4(texture(blocks, vec3(at, i)).rg, second), direction);

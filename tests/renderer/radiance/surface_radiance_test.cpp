@@ -1,12 +1,17 @@
 #include "renderer/techniques/surface_radiance.h"
 
 #include <cmath>
+#include <functional>
 
 #include <gmock/gmock.h>
 
+#include "base/color.h"
 #include "base/files.h"
 #include "renderer/path_tracer.h"
 #include "renderer/radiance/object_bake.h"
+#include "renderer/radiance/pca_encoder.h"
+#include "renderer/radiance/piecewise_encoder.h"
+#include "renderer/radiance/piecewise_file.h"
 #include "renderer/radiance/radiance_codecs.h"
 #include "renderer/radiance/radiance_file.h"
 #include "tests/renderer/room_scenes.h"
@@ -21,23 +26,36 @@ ParamValues values_of(const std::map<std::string, ParamValue>& given) {
   return resolve_params(technique.params, technique.presets, "", given, "");
 }
 
-/// Bakes and compresses all objects of a scene and draws them.
-Image drawn(const Scene& scene, const View& view, const std::map<std::string, ParamValue>& given,
-            int width = 64, int height = 48) {
-  const ParamValues params = values_of(given);
+/// Writes the files of an object whose texels are where `counts` has a 1.
+using Keep = std::function<void(const HalfStack& stack, std::span<const std::uint8_t> counts,
+                                const std::filesystem::path& stem)>;
+
+/// Bakes and keeps all objects of a scene and draws them.
+Image drawn_from(const Keep& keep, const Scene& scene, const View& view, const ParamValues& params,
+                 int width = 64, int height = 48) {
   const TemporaryFolder folder;
   const ObjectBaker baker(scene);
   for (const std::size_t entity : objects_to_bake(scene)) {
-    const auto stem = folder.path() / object_file_stem(scene, entity);
     const HalfStack stack = baker.bake(entity, bake_settings(params)).stack;
-    if (const auto compress = radiance_codec(params).compress)
-      compress(stack, counting_places(object_atlas(scene, entity, bake_settings(params)), stack.height),
-               params, stem);
-    else
-      write_radiance(stem.string() + ".mtex", stack);
+    keep(stack, counting_places(object_atlas(scene, entity, bake_settings(params)), stack.height),
+         folder.path() / object_file_stem(scene, entity));
   }
   FrameRequest request{scene, view, width, height, 1, {}, folder.path()};
   return Renderer(GlBackend::osmesa).render(surface_radiance_technique(), params, request).image;
+}
+
+/// Kept by the codec that the parameters name.
+Image drawn(const Scene& scene, const View& view, const std::map<std::string, ParamValue>& given,
+            int width = 64, int height = 48) {
+  const ParamValues params = values_of(given);
+  const auto keep = [&](const HalfStack& stack, std::span<const std::uint8_t> counts,
+                        const std::filesystem::path& stem) {
+    if (const auto compress = radiance_codec(params).compress)
+      compress(stack, counts, params, stem);
+    else
+      write_radiance(stem.string() + ".mtex", stack);
+  };
+  return drawn_from(keep, scene, view, params, width, height);
 }
 
 /// What the path tracer makes of it, without noise.
@@ -109,10 +127,12 @@ struct Shiny {
     view.camera.position = {0, 2, 3};
     view.camera.look_at = {0, 0, 0};
   }
+  std::map<std::string, ParamValue> completed(std::map<std::string, ParamValue> params) const {
+    params.insert(given.begin(), given.end());
+    return params;
+  }
   Image with(const std::map<std::string, ParamValue>& more) const {
-    auto all = more;
-    all.insert(given.begin(), given.end());
-    return drawn(scene, view, all);
+    return drawn(scene, view, completed(more));
   }
 };
 
@@ -152,6 +172,71 @@ TEST(GlSurfaceRadiance, ComponentsComeAsNearAsTheyWereAskedTo) {
   // One step of sRGB is 0.009 of linear light at most; here most is darker, and alpha has no error.
   EXPECT_LT(error_of(0.5), 0.5 * 0.009);
   EXPECT_LT(error_of(0.5), error_of(4));
+}
+
+/// The largest of any component of any pixel, in steps of sRGB.
+double largest_difference(const Image& a, const Image& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.data.size(); ++i)
+    most = std::max(most, 255 * std::abs(double(srgb_encode(a.data[i])) - double(srgb_encode(b.data[i]))));
+  return most;
+}
+
+std::map<std::string, ParamValue> bounded(long long bound) {
+  return {{"codec", std::string("pca")}, {"bound", bound}, {"coefficients", 12LL}};
+}
+std::map<std::string, ParamValue> lossless() {
+  return {{"codec", std::string("piecewise")}, {"threshold", 0LL}};
+}
+
+TEST(GlSurfaceRadiance, ABoundHoldsInThePicture) {
+  const Shiny shiny;
+  const Image exact = shiny.with(lossless());
+  for (const long long bound : {6, 24}) {
+    const double difference = largest_difference(shiny.with(bounded(bound)), exact);
+    // An error of whole steps is below the bound; mixing in linear light makes it larger only near black,
+    // where sRGB is bent.
+    EXPECT_LT(difference, double(bound - 1) + 1e-3);
+    EXPECT_GT(difference, 0.9) << "it is not without loss";
+  }
+}
+
+TEST(GlSurfaceRadiance, BoundedComponentsAreThoseOfTheDecoder) {
+  const auto keep_decoded = [](const HalfStack& stack, std::span<const std::uint8_t> counts,
+                               const std::filesystem::path& stem) {
+    PcaOptions options;
+    options.max_coefficients = 12, options.threshold = 6;
+    const PcaStack pca = encode_pca(stack, counts, options);
+    EXPECT_FALSE(pca.corrections.empty());
+    write_piecewise(stem, encode_piecewise(decode_pca(pca), SampleRule::greedy, 0));
+  };
+  Shiny shiny;
+  for (const LayerOrderName& order : layer_orders()) {
+    shiny.given["order"] = std::string(order.name);
+    const Image decoded =
+        drawn_from(keep_decoded, shiny.scene, shiny.view, values_of(shiny.completed(lossless())));
+    // What is left is the order in which floats are mixed.
+    EXPECT_LT(largest_difference(shiny.with(bounded(6)), decoded), 1e-3) << order.name;
+  }
+}
+
+TEST(GlSurfaceRadiance, ABoundOfOneIsLossless) {
+  const Shiny shiny;
+  const Image exact = shiny.with(lossless());
+  for (const char* bits : {"8", "16"}) {
+    auto params = bounded(1);
+    params["first_bits"] = std::string(bits);
+    EXPECT_LT(largest_difference(shiny.with(params), exact), 1e-3) << bits;
+  }
+}
+
+TEST(GlSurfaceRadiance, MatteObjectsNeedNoCorrections) {
+  const Scene scene = room();
+  const auto with = [&](std::map<std::string, ParamValue> params) {
+    params.insert({{"texels", 2e4}, {"thetas", 4LL}, {"phis", 5LL}});
+    return drawn(scene, inside_view(), params);
+  };
+  EXPECT_LT(largest_difference(with(bounded(6)), with(lossless())), 1e-3);
 }
 
 TEST(GlSurfaceRadiance, ComponentsOfMatteObjectsHaveOneDirection) {
