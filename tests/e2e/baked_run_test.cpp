@@ -1,10 +1,12 @@
 // Jobs with technique surface_radiance, which bakes what it draws.
 #include "baked_fixture.h"
+#include "reports/run_report.h"
 
 namespace lightbench {
 namespace {
 
 using test::GlBaked;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class GlBakedRun : public GlBaked {
@@ -44,6 +46,22 @@ TEST_F(GlBakedRun, DrawsAllCodecsFromOneBake) {
   // Both codecs are bounded by a few of 255.
   EXPECT_LT(mean_difference("out/views/box/front/raw.exr", "out/views/box/front/piecewise.exr"), 3);
   EXPECT_LT(mean_difference("out/views/box/front/raw.exr", "out/views/box/front/pca.exr"), 3);
+}
+
+TEST_F(GlBakedRun, TheReportTellsWhatEachObjectCost) {
+  run_job();
+  const RunReport report = run_report_from_json(read_file(path("out/run.json")), "run.json");
+  ASSERT_EQ(report.bakes.size(), 2u);
+  EXPECT_THAT(report.bakes[0].variants, ElementsAre("raw", "piecewise", "pca"));
+  EXPECT_GT(report.bakes[0].cpu_seconds, 0);
+  EXPECT_EQ(report.bakes[0].numbers.at("directions"), MetricValue::of(12));
+  ASSERT_EQ(report.compressions.size(), 4u);
+  for (const ReportObject& object : report.compressions) {
+    const auto number = [&](const std::string& name) { return object.numbers.at(name).value.value_or(0); };
+    EXPECT_GT(number("texels"), 0) << object.object;
+    EXPECT_EQ(number("raw_bytes"), 3 * 12 * number("texels")) << object.object;
+    EXPECT_GT(number("ratio"), 0) << object.object;
+  }
 }
 
 TEST_F(GlBakedRun, ASecondRunDoesNothing) {
