@@ -161,7 +161,7 @@ std::vector<Column> file_columns(Objects objects) {
 std::vector<Column> compression_columns(Objects objects) {
   std::vector<Column> columns{
       kTextureSize,
-      {{"texels", "That count, on all sides that are kept"},
+      {{"texels", "That hold radiance, those of gutters and of a back that is kept included"},
        [](Objects all) { return shown(sum(all, "texels"), 0); }},
       kDirections,
       {{"raw MB", "Three bytes for each texel in each direction, in millions of bytes"},
