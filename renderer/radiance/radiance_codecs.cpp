@@ -39,7 +39,7 @@ std::vector<ParamSpec> codec_params() {
           "of piecewise, for a texel's directions when drawing; linear: from the first one on, as in the "
           "thesis; binary; once: one binary search for two neighbours. All give the same picture"),
       integer_param(
-          "coefficients", 24, 4, 64,
+          "coefficients", 40, 4, 64,
           "of pca: the most that a texel has, rounded up to an even number; fewer where the errors allow it"),
       choice_param("first_bits", {"8", "16"},
                    "of pca: of each of the first four coefficients; with 16 they show no steps"),
