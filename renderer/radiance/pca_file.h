@@ -4,7 +4,7 @@
 
 #include "renderer/radiance/pca.h"
 
-/// `.mtpc` files: a PcaStack as it is (docs/formats-pca.md). Both throw Error with the file's name.
+/// `.mtpc` files: a PcaStack as it is (docs/formats.md). Both throw Error with the file's name.
 namespace lightbench {
 
 /// Whole or not there.
