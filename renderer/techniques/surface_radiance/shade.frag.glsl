@@ -3,6 +3,9 @@
 #include "shaders/octahedral.glsl"
 #include "techniques/surface_radiance/directions.glsl"
 
+// The stencil says where the object is; without this, `discard` makes it come too late.
+layout(early_fragment_tests) in;
+
 layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
