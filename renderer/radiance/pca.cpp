@@ -30,7 +30,7 @@ std::vector<PcaLine> coefficient_lines(const PcaStack& stack) {
   const std::size_t wide = stack.wide_coefficients();
   std::vector<PcaLine> lines;
   for (std::size_t k = 0; k < stack.coefficients(); ++k)
-    lines.push_back({stack.offset[k] / 32767, stack.scale[k] / 32767 / (k < wide ? 65535 : 255)});
+    lines.push_back({stack.offset[k] / 32767, stack.scale[k] / 32767 / (k < wide ? 65535.0f : 255.0f)});
   return lines;
 }
 
