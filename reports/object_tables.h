@@ -37,10 +37,8 @@ inline constexpr const char* kBakeNote =
     "Rates are for a second of processor time. A radiance sample is a texel in one direction.";
 inline constexpr const char* kCompressionNote =
     "A value is a texel in one direction; its error, of 255, is the mean over its components. The mean error "
-    "is "
-    "that of the changed values alone. Of the whole scene, the 99 % is the worst object's. MB are millions "
-    "of "
-    "bytes.";
+    "is that of the changed values alone. Of the whole scene, the 99 % is the worst object's. MB are "
+    "millions of bytes.";
 
 /// Each table as a line: "baked office (raw): 4 objects, 0.25 million texels of 400 directions, ...".
 std::vector<std::string> object_lines(const RunReport& report);

@@ -214,12 +214,12 @@ ObjectBake ObjectBaker::bake(std::size_t entity, const BakeSettings& settings,
     const auto half = [&](double share) { progress(begin + share / 2); };
     result.news = bake_texels(impl_->paths, entity, texels, settings.trace, result.stack,
                               progress ? std::function<void(double)>(half) : nullptr);
+    result.texels = texels.size();
     fill_buried(atlas, buried, result.stack);
     fill_gutters(atlas, result.stack);
     return result;
   };
   ObjectBake result = side(Side::front, 0);
-  result.texels = atlas.surface.size();
   const ObjectBake back = side(Side::back, 0.5);
   if (!is_dark(back.stack)) {
     append_back(result.stack, back.stack);

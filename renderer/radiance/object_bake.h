@@ -35,7 +35,7 @@ std::string object_file_stem(const Scene& scene, std::size_t entity);
 struct ObjectBake {
   HalfStack stack;  ///< of one side where nothing leaves the back
   BakeNews news;
-  std::size_t texels = 0;  ///< that were traced, of one side
+  std::size_t texels = 0;  ///< that were traced, of the front: buried ones are not
 };
 
 /// Bakes objects of one scene, which must not change meanwhile.

@@ -22,10 +22,7 @@ using Triangles = std::vector<glm::uvec3>;
 /// The mesh's triangles between welded vertices, part by part that is connected; triangles between fewer than
 /// three of them are left out.
 std::vector<Triangles> connected_parts(const Mesh& mesh) {
-  const std::vector<std::uint32_t> welded = weld<3>(mesh.positions.size(), [&](std::uint32_t i) {
-    const glm::vec3& p = mesh.positions[i];
-    return std::array{p.x, p.y, p.z};
-  });
+  const std::vector<std::uint32_t> welded = weld_positions(mesh.positions);
   UnionFind groups(mesh.positions.size());
   Triangles triangles;
   for (const glm::uvec3& t : mesh.triangles) {

@@ -39,12 +39,6 @@ std::array<std::uint8_t, 3> corners_from(unsigned corner) {
   return {std::uint8_t(corner), std::uint8_t((corner + 1) % 3), std::uint8_t((corner + 2) % 3)};
 }
 
-std::vector<std::uint32_t> weld_positions(const std::vector<glm::vec3>& positions) {
-  return weld<3>(positions.size(), [&](std::uint32_t i) {
-    return std::array{positions[i].x, positions[i].y, positions[i].z};
-  });
-}
-
 std::vector<int> part_of_triangles(const Mesh& mesh) {
   std::vector<int> parts(mesh.triangles.size(), 0);
   for (std::size_t p = 0; p < mesh.parts.size(); ++p)

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <glm/vec3.hpp>
+
 namespace lightbench {
 
 /// For each of `count` vertices, the first one with the same key: the N floats that `key` makes of an index.
@@ -27,6 +29,13 @@ std::vector<std::uint32_t> weld(std::size_t count, const Key& key) {
     first[order[i].second] = again ? first[order[i - 1].second] : order[i].second;
   }
   return first;
+}
+
+/// The same of positions.
+inline std::vector<std::uint32_t> weld_positions(const std::vector<glm::vec3>& positions) {
+  return weld<3>(positions.size(), [&](std::uint32_t i) {
+    return std::array{positions[i].x, positions[i].y, positions[i].z};
+  });
 }
 
 }  // namespace lightbench

@@ -24,11 +24,16 @@ Scene box_on_floor(float gap) {
   return scene;
 }
 
-/// The floor's red in the direction of its normal, row by row.
-std::vector<float> floor_texels(const Scene& scene) {
+BakeSettings floor_settings() {
   BakeSettings settings;
   settings.sizes = {{"*", {20, 20}}};
   settings.trace.grid = {2, 1, LayerOrder::theta_major};
+  return settings;
+}
+
+/// The floor's red in the direction of its normal, row by row.
+std::vector<float> floor_texels(const Scene& scene) {
+  const BakeSettings settings = floor_settings();
   const ObjectBake baked = ObjectBaker(scene).bake(0, settings);
   std::vector<float> texels;
   for (const SurfaceTexel& texel : object_atlas(scene, 0, settings).surface)
@@ -41,6 +46,11 @@ TEST(BuriedTexels, AreThoseUnderABox) {
   const Scene scene = box_on_floor(0);
   EXPECT_EQ(std::ranges::count(floor_texels(box_on_floor(1)), 0.0f), 36);  // in its shadow, and seen
   for (const float texel : floor_texels(scene)) EXPECT_GT(texel, 0);
+}
+
+TEST(BuriedTexels, AreNotTraced) {
+  EXPECT_EQ(ObjectBaker(box_on_floor(1)).bake(0, floor_settings()).texels, 400u);
+  EXPECT_EQ(ObjectBaker(box_on_floor(0)).bake(0, floor_settings()).texels, 364u);
 }
 
 TEST(BuriedTexels, AGapBelowATwentiethOfATexelIsNone) {
