@@ -101,7 +101,7 @@ void light_picture(FrameContext& frame, const Lighting& lighting, const Light& l
   program.set("shadow_bias", shadows.bias);
   program.set("esm_sharpness", shadows.esm_sharpness);
   program.set("pcf_radius", shadows.pcf_radius);
-  frame.draw_fullscreen(lighting.target, program, Blend::add, DrawOn::objects);
+  frame.draw_fullscreen(lighting.target, program, Blend::add, kObjects);
 }
 
 // Adds a light without extent, which makes that share of the mean visibility.

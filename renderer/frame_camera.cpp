@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 namespace lightbench {
@@ -28,6 +30,14 @@ glm::dmat4 reversed_projection(double tan_half_x, double tan_half_y, double near
   matrix[2][3] = -1.0;
   matrix[3][2] = near;
   return matrix;
+}
+
+std::array<glm::dvec4, 8> clip_corners(const Bounds& box, const glm::dmat4& clip_from_box) {
+  std::array<glm::dvec4, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = clip_from_box * glm::dvec4((i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
+                                            (i & 4) ? box.max.z : box.min.z, 1.0);
+  return corners;
 }
 
 void derive(FrameCamera& camera) {
@@ -76,16 +86,29 @@ FrameCamera turned(const FrameCamera& camera, const CameraFrame& frame, float ta
 bool may_be_visible(const Bounds& box, const glm::dmat4& clip_from_box) {
   // One bit for each side of the clip volume that a corner lies beyond.
   unsigned beyond_all = 0x3f;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 c =
-        clip_from_box * glm::dvec4((corner & 1) ? box.max.x : box.min.x, (corner & 2) ? box.max.y : box.min.y,
-                                   (corner & 4) ? box.max.z : box.min.z, 1.0);
+  for (const glm::dvec4& c : clip_corners(box, clip_from_box)) {
     const std::array<bool, 6> beyond{c.x<-c.w, c.x> c.w, c.y<-c.w, c.y> c.w, c.z<0, c.z> c.w};
     unsigned bits = 0;
     for (unsigned side = 0; side < beyond.size(); ++side) bits |= unsigned(beyond[side]) << side;
     beyond_all &= bits;
   }
   return beyond_all == 0;
+}
+
+PixelRect pixels_of_box(const Bounds& box, const glm::dmat4& clip_from_box, const glm::ivec2& picture) {
+  if (!may_be_visible(box, clip_from_box)) return {};
+  const glm::dvec2 size(picture);
+  glm::dvec2 low = size, high(0);
+  for (const glm::dvec4& c : clip_corners(box, clip_from_box)) {
+    if (c.z > c.w) return {glm::ivec2(0), picture};
+    const glm::dvec2 corner = (glm::dvec2(c) / c.w + 1.0) * 0.5 * size;
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
+  }
+  // A pixel more on each side: OpenGL rounds vertices to parts of pixels, and computes them in floats.
+  low = glm::clamp(glm::floor(low) - 1.0, glm::dvec2(0), size);
+  high = glm::clamp(glm::ceil(high) + 1.0, low, size);
+  return {glm::ivec2(low), glm::ivec2(high - low)};
 }
 
 }  // namespace lightbench

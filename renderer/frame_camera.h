@@ -41,4 +41,14 @@ FrameCamera turned(const FrameCamera& camera, const CameraFrame& frame, float ta
 /// certainly is not.
 bool may_be_visible(const Bounds& box, const glm::dmat4& clip_from_box);
 
+/// Pixels of a picture; row 0 at the bottom, as OpenGL counts.
+struct PixelRect {
+  glm::ivec2 low{0};
+  glm::ivec2 size{0};
+};
+
+/// Holds all pixels of a picture of that size in which something of a box may be seen: none where
+/// may_be_visible is false, the whole picture where the box reaches behind the near plane.
+PixelRect pixels_of_box(const Bounds& box, const glm::dmat4& clip_from_box, const glm::ivec2& picture);
+
 }  // namespace lightbench

@@ -69,11 +69,10 @@ void FrameContext::add_pass_time(const std::string& name, double seconds) {
 }
 
 void FrameContext::draw_fullscreen(const Framebuffer& target, const Program& program, Blend blend,
-                                   DrawOn where, int stencil) {
+                                   const DrawOn& where) {
   target.bind();
   program.use();
   glDisable(GL_CULL_FACE);
-  glDisable(GL_SCISSOR_TEST);
   glDisable(GL_DEPTH_TEST);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   if (blend == Blend::add) {
@@ -83,15 +82,21 @@ void FrameContext::draw_fullscreen(const Framebuffer& target, const Program& pro
   } else {
     glDisable(GL_BLEND);
   }
-  if (where == DrawOn::objects) {
+  glDisable(GL_SCISSOR_TEST);
+  if (where.pixels) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(where.pixels->low.x, where.pixels->low.y, where.pixels->size.x, where.pixels->size.y);
+  }
+  if (where.stencil) {
     glEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_EQUAL, stencil, 0xff);
+    glStencilFunc(GL_EQUAL, *where.stencil, 0xff);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   } else {
     glDisable(GL_STENCIL_TEST);
   }
   glBindVertexArray(gpu_->no_vertices.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDisable(GL_SCISSOR_TEST);  // which clears heed, too
 }
 
 void FrameContext::keep_buffer(const std::string& name, const GlTexture& texture, int channels) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,13 @@ struct ShadowTextures;
 class RadianceCache;
 
 enum class Blend { replace, add };
-enum class DrawOn {
-  everything,
-  objects
-};  ///< objects: only where the target's stencil has the value given, 1 where nothing else is said
+/// Where a full-screen pass draws.
+struct DrawOn {
+  std::optional<int> stencil;       ///< only where the target's stencil has this value
+  std::optional<PixelRect> pixels;  ///< nowhere outside
+};
+/// The pixels of objects, in targets whose stencil tells nothing but whether there is one.
+inline const DrawOn kObjects{1, std::nullopt};
 
 /// What lives longer than a frame: compiled programs, and the scene on the GPU.
 struct GpuState {
@@ -64,7 +68,7 @@ class FrameContext {
   /// Covers the target with one triangle. Sets all state that it depends on; textures and uniforms are the
   /// caller's.
   void draw_fullscreen(const Framebuffer& target, const Program& program, Blend blend = Blend::replace,
-                       DrawOn where = DrawOn::everything, int stencil = 1);
+                       const DrawOn& where = {});
 
   /// Whether the request asks for a named buffer.
   bool wants(const std::string& buffer) const { return request_.buffers.contains(buffer); }

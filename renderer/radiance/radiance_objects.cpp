@@ -54,6 +54,7 @@ RadianceObject object_of(const Scene& scene, std::size_t entity, const ChartAtla
   RadianceObject object;
   object.entity = int(entity);
   object.world_from_object = glm::dmat4(source.transform);
+  for (const glm::vec3& position : vertices.positions) object.bounds.add(position);
   object.positions = buffer_of(vertices.positions);
   object.normals = buffer_of(vertices.normals);
   object.uvs = buffer_of(vertices.uvs);

@@ -37,6 +37,7 @@ struct RadianceFile {
 struct RadianceObject {
   int entity;
   glm::dmat4 world_from_object;
+  Bounds bounds;  ///< in the object's space
   Buffer positions, normals, uvs, texels;
   VertexArray vertices;  ///< three for each triangle; wound so that the front is what OpenGL takes for it
   struct Range {

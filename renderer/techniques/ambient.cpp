@@ -20,7 +20,7 @@ void render(FrameContext& frame, const ParamValues& params) {
     program.set("ambient", float(params.number("k")) * mean_irradiance(frame, gbuffer, direct.irradiance));
     gbuffer.bind();
     frame.draw_fullscreen(Framebuffer({&direct.lit}, &gbuffer.depth_stencil), program, Blend::add,
-                          DrawOn::objects);
+                          kObjects);
   });
   frame.set_image(direct.lit);
 }

@@ -39,6 +39,10 @@ const RadianceObjects& loaded_objects(FrameContext& frame, const ParamValues& pa
   return frame.radiance_cache().get(frame.scene(), folder, params);
 }
 
+glm::dmat4 clip_from_object(const FrameContext& frame, const RadianceObject& object) {
+  return frame.camera().clip_from_world * object.world_from_object;
+}
+
 void draw_object(FrameContext& frame, const RadianceObject& object, int number) {
   glStencilFunc(GL_ALWAYS, stencil_of(number), 0xff);
   glBindVertexArray(object.vertices.id());
@@ -47,7 +51,7 @@ void draw_object(FrameContext& frame, const RadianceObject& object, int number) 
     const Program& program =
         frame.program(kObjectVertex, kObjectFragment, solid ? ShaderDefines{} : ShaderDefines{"CUTOUT"});
     program.use();
-    program.set("clip_from_object", glm::mat4(frame.camera().clip_from_world * object.world_from_object));
+    program.set("clip_from_object", glm::mat4(clip_from_object(frame, object)));
     program.set("world_from_normal", glm::mat3(glm::inverseTranspose(glm::dmat3(object.world_from_object))));
     program.set("object", number);
     if (!solid) frame.gpu_scene().texture(range.cutout).bind(1);
@@ -88,12 +92,14 @@ void shade(FrameContext& frame, const RadianceObjects& objects, const ParamValue
   program.set("grid", glm::ivec2(objects.grid().thetas, objects.grid().phis));
   int number = 0;
   for (const RadianceObject& object : objects.objects()) {
+    const PixelRect pixels =
+        pixels_of_box(object.bounds, clip_from_object(frame, object), {frame.width(), frame.height()});
     program.set("object", number);
     program.set("size", glm::ivec2(object.file.width, object.file.height));
     program.set("sides", object.sides);
     program.set("scale", object.file.scale);
     object.file.textures->bind(program);
-    frame.draw_fullscreen(target, program, Blend::replace, DrawOn::objects, stencil_of(number++));
+    frame.draw_fullscreen(target, program, Blend::replace, {stencil_of(number++), pixels});
   }
 }
 

@@ -81,5 +81,43 @@ RC_GTEST_PROP(MayBeVisible, ABoxWithAVisiblePointIsNeverDropped, ()) {
   RC_ASSERT(may_be_visible(box, camera.clip_from_world));
 }
 
+Bounds box_between(const glm::vec3& a, const glm::vec3& b) {
+  Bounds box;
+  box.add(a);
+  box.add(b);
+  return box;
+}
+
+TEST(PixelsOfBox, NoneBehindAllAroundAndFewForWhatIsSmall) {
+  const FrameCamera camera = slanted_camera();
+  const glm::ivec2 picture(300, 200);
+  const auto pixels_at = [&](const glm::vec3& center, float half) {
+    return pixels_of_box(box_between(center - half, center + half), camera.clip_from_world, picture);
+  };
+  const glm::vec3 forward = camera.frame.forward;
+  EXPECT_EQ(pixels_at(camera.position - 5.0f * forward, 0.1f).size, glm::ivec2(0));
+  EXPECT_EQ(pixels_at(camera.position, 0.1f).size, picture);
+  const PixelRect small = pixels_at(camera.position + 10.0f * forward, 0.01f);
+  EXPECT_LE(small.size.x, 6);
+  EXPECT_LE(small.size.y, 6);
+  EXPECT_EQ(small.low + small.size / 2, picture / 2);
+}
+
+RC_GTEST_PROP(PixelsOfBox, HoldTheCornersOfWhatIsInSight, ()) {
+  const FrameCamera camera = slanted_camera();
+  const glm::ivec2 picture(300, 200);
+  const auto share = [] { return float(*rc::gen::inRange(1, 1000)) / 1000.0f; };
+  const auto seen = [&](float z) {
+    return camera.position + (camera.far_corner + share() * camera.far_u + share() * camera.far_v) * z;
+  };
+  const glm::vec3 a = seen(share()), b = seen(share());
+  const PixelRect pixels = pixels_of_box(box_between(a, b), camera.clip_from_world, picture);
+  for (const glm::vec3& corner : {a, b}) {
+    const glm::dvec2 pixel = (glm::dvec2(ndc(camera, corner)) + 1.0) / 2.0 * glm::dvec2(picture);
+    RC_ASSERT(glm::all(glm::lessThanEqual(glm::dvec2(pixels.low), pixel)));
+    RC_ASSERT(glm::all(glm::lessThanEqual(pixel, glm::dvec2(pixels.low + pixels.size))));
+  }
+}
+
 }  // namespace
 }  // namespace lightbench
