@@ -13,15 +13,15 @@
 namespace lightbench {
 
 /// Raised when equal arguments give other texels.
-inline constexpr int kBakeVersion = 2;
+inline constexpr int kBakeVersion = 3;
 
 struct BakeOptions {
   DirectionGrid grid;
   /// On each area light, placed anew for each texel; 0: the fixed points that all other techniques and
   /// references light with, which have no noise.
   int light_samples = 0;
-  int bounces = 0;           ///< of indirect light, 0 to 16
-  int bounce_samples = 256;  ///< paths of each texel, 2 to 65536
+  int bounces = 0;            ///< of indirect light, 0 to 16
+  int bounce_samples = 1024;  ///< paths of each texel, 2 to 65536
   std::uint64_t seed = 1;
   float scale = 1;  ///< of the stack (radiance_stack.h)
   int threads = 1;  ///< 1 to 256; the texels do not depend on it

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -10,14 +11,13 @@
 #include <glm/matrix.hpp>
 
 #include "renderer/radiance/direction_grid.h"
+#include "renderer/radiance/lids.h"
 #include "renderer/radiance/union_find.h"
 #include "renderer/radiance/weld.h"
 #include "scene/light_points.h"
 
 namespace lightbench {
 namespace {
-
-using Triangles = std::vector<glm::uvec3>;
 
 /// The mesh's triangles between welded vertices, part by part that is connected; triangles between fewer than
 /// three of them are left out.
@@ -40,19 +40,6 @@ std::vector<Triangles> connected_parts(const Mesh& mesh) {
   return parts;
 }
 
-/// Whether each edge has one triangle on either side, both wound alike.
-bool is_closed(const Triangles& triangles) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> forward, backward;
-  for (const glm::uvec3& t : triangles)
-    for (const auto& [a, b] : {std::pair(t.x, t.y), std::pair(t.y, t.z), std::pair(t.z, t.x)}) {
-      forward.emplace_back(a, b);
-      backward.emplace_back(b, a);
-    }
-  std::ranges::sort(forward);
-  std::ranges::sort(backward);
-  return forward == backward && std::ranges::adjacent_find(forward) == forward.end();
-}
-
 bool has_cut_outs(const Scene& scene, const Mesh& mesh) {
   return std::ranges::any_of(mesh.parts, [&](const MeshPart& part) {
     return scene.materials[std::size_t(part.material)].cutout_texture != kNoTexture;
@@ -60,6 +47,12 @@ bool has_cut_outs(const Scene& scene, const Mesh& mesh) {
 }
 
 using Corners = std::vector<glm::vec3>;  // three for each triangle
+
+Bounds bounds_of(const Corners& corners) {
+  Bounds bounds;
+  for (const glm::vec3& corner : corners) bounds.add(corner);
+  return bounds;
+}
 
 /// Six times the volume; negative where triangles are wound the wrong way.
 double signed_volume(const Corners& corners) {
@@ -71,13 +64,32 @@ double signed_volume(const Corners& corners) {
   return volume;
 }
 
-/// In the world, wound outwards.
-Corners world_corners(const Mesh& mesh, const Triangles& triangles, const glm::mat4& transform) {
+/// Of its size's cube: the volume up to which a mesh with its lids is no more than a sheet. Floats of a sheet
+/// make less than a millionth.
+constexpr double kSheet = 1e-5;
+
+/// A part of a mesh in the world, wound outwards, with lids where it stands on something; none where it is
+/// open, or but a sheet.
+std::optional<Corners> solid_of(const Mesh& mesh, const Triangles& part, const glm::mat4& transform,
+                                const SceneRays& scene) {
+  const auto in_the_world = [&](std::uint32_t vertex) {
+    return glm::vec3(transform * glm::vec4(mesh.positions[vertex], 1));
+  };
+  const auto rims = open_rims(part);
+  if (!rims) return std::nullopt;
   Corners corners;
-  for (const glm::uvec3& t : triangles)
-    for (int corner = 0; corner < 3; ++corner)
-      corners.emplace_back(transform * glm::vec4(mesh.positions[t[corner]], 1));
-  if (signed_volume(corners) < 0)
+  for (const std::vector<std::uint32_t>& rim : *rims) {
+    std::vector<glm::vec3> places;
+    for (const std::uint32_t vertex : rim) places.push_back(in_the_world(vertex));
+    const auto lid = lid_of(places, scene);
+    if (!lid) return std::nullopt;
+    corners.insert(corners.end(), lid->begin(), lid->end());
+  }
+  for (const glm::uvec3& t : part)
+    for (const std::uint32_t vertex : {t.x, t.y, t.z}) corners.push_back(in_the_world(vertex));
+  const double volume = signed_volume(corners);
+  if (std::abs(volume) <= kSheet * std::pow(double(bounds_of(corners).diagonal()), 3)) return std::nullopt;
+  if (volume < 0)
     for (std::size_t i = 0; i < corners.size(); i += 3) std::swap(corners[i + 1], corners[i + 2]);
   return corners;
 }
@@ -99,8 +111,7 @@ std::vector<glm::vec3> light_places(const Scene& scene) {
 }
 
 bool holds_any(const Corners& solid, const std::vector<glm::vec3>& places) {
-  Bounds bounds;
-  for (const glm::vec3& corner : solid) bounds.add(corner);
+  const Bounds bounds = bounds_of(solid);
   return std::ranges::any_of(places, [&](const glm::vec3& place) {
     return glm::all(glm::lessThanEqual(bounds.min, place)) && glm::all(glm::lessThanEqual(place, bounds.max));
   });
@@ -124,14 +135,14 @@ Scene scene_of(Corners corners) {
 
 Solids::Solids(const Scene& scene) {
   const std::vector<glm::vec3> lights = light_places(scene);
+  const SceneRays surfaces(scene);
   Corners corners;
   for (const Entity& entity : scene.entities) {
     const Mesh& mesh = scene.meshes[std::size_t(entity.mesh)];
     if (has_cut_outs(scene, mesh)) continue;
     for (const Triangles& part : connected_parts(mesh)) {
-      if (!is_closed(part)) continue;
-      const Corners solid = world_corners(mesh, part, entity.transform);
-      if (!holds_any(solid, lights)) corners.insert(corners.end(), solid.begin(), solid.end());
+      const auto solid = solid_of(mesh, part, entity.transform, surfaces);
+      if (solid && !holds_any(*solid, lights)) corners.insert(corners.end(), solid->begin(), solid->end());
     }
   }
   if (corners.empty()) return;

@@ -9,8 +9,9 @@
 
 namespace lightbench {
 
-/// What nobody ever sees the inside of: connected parts of opaque meshes that are closed, with no light and
-/// no emitter in their bounding box (so that a room that is a box is none).
+/// What nobody ever sees the inside of: connected parts of opaque meshes that are closed, or open only where
+/// they stand on something, with no light and no emitter in their bounding box (so that a room that is a box
+/// is none).
 class Solids {
  public:
   explicit Solids(const Scene& scene);

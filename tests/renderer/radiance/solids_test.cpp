@@ -56,6 +56,78 @@ TEST(Solids, AnOpenBoxIsNone) {
   EXPECT_TRUE(Solids(scene).empty());
 }
 
+/// That box without its bottom, over a floor that is as far below.
+Scene bottomless_scene(float gap) {
+  Scene scene = box_scene();
+  Mesh& box = scene.meshes[0];
+  std::erase_if(box.triangles, [&](const glm::uvec3& t) {
+    return box.positions[t.x].y + box.positions[t.y].y + box.positions[t.z].y == 0;
+  });
+  box.parts[0].triangle_count = std::uint32_t(box.triangles.size());
+  EXPECT_EQ(box.triangles.size(), 10u);
+  scene.meshes.push_back(box_mesh("floor", {{-5, -gap - 1, -5}, {5, -gap, 5}}, 0));
+  scene.entities.push_back({"floor", 1});
+  return scene;
+}
+
+TEST(Solids, ABoxWithoutABottomIsOneWhereItStandsOnSomething) {
+  const Scene standing = bottomless_scene(0), nearly = bottomless_scene(0.002f),
+              aloft = bottomless_scene(0.1f);
+  EXPECT_TRUE(Solids(standing).contain({0.5f, 0.001f, 0.5f}, kUp));
+  EXPECT_FALSE(Solids(standing).contain({1.1f, 0.001f, 0.5f}, kUp));
+  EXPECT_TRUE(Solids(nearly).contain(kMiddle, kUp));
+  EXPECT_FALSE(Solids(aloft).contain(kMiddle, kUp));
+}
+
+TEST(Solids, ABoxThatReachesBeyondWhatItStandsOnIsNone) {
+  Scene scene = bottomless_scene(0);
+  for (glm::vec3& p : scene.meshes[1].positions) p.x = std::min(p.x, 0.8f);
+  EXPECT_FALSE(Solids(scene).contain(kMiddle, kUp));
+}
+
+TEST(Solids, ARoomWithAFloorOfItsOwnIsNone) {
+  Scene scene = bottomless_scene(0);
+  scene.lights = {point_light({0.2f, 0.9f, 0.2f})};
+  EXPECT_FALSE(Solids(scene).contain(kMiddle, kUp));
+}
+
+TEST(Solids, ASheetOnAFloorIsNone) {
+  Scene scene = bottomless_scene(0);
+  Mesh& box = scene.meshes[0];
+  std::erase_if(box.triangles, [&](const glm::uvec3& t) {
+    return box.positions[t.x].y + box.positions[t.y].y + box.positions[t.z].y != 3;
+  });
+  box.parts[0].triangle_count = std::uint32_t(box.triangles.size());
+  EXPECT_EQ(box.triangles.size(), 2u);
+  for (glm::vec3& p : box.positions) p.y *= 0.001f;
+  EXPECT_FALSE(Solids(scene).contain({0.5f, 0.0005f, 0.4f}, kUp));
+}
+
+TEST(Solids, ACrackIsNoOpening) {
+  // A vertex in the middle of an edge that only the triangles on one side of it know.
+  Scene scene = box_scene();
+  Mesh& box = scene.meshes[0];
+  const glm::uvec3 t = box.triangles[0];
+  const auto middle = std::uint32_t(box.positions.size());
+  box.positions.push_back(0.5f * (box.positions[t.x] + box.positions[t.y]));
+  box.normals.push_back(box.normals[t.x]);
+  box.triangles[0] = {t.x, middle, t.z};
+  box.triangles.push_back({middle, t.y, t.z});
+  box.parts[0].triangle_count += 1;
+  EXPECT_TRUE(Solids(scene).contain(kMiddle, kUp));
+}
+
+TEST(Solids, AMeshWithThreeTrianglesAtAnEdgeIsNone) {
+  Scene scene = box_scene();
+  Mesh& box = scene.meshes[0];
+  const glm::uvec3 t = box.triangles[0];
+  box.positions.emplace_back(0.5f, 0.5f, 0.5f);
+  box.normals.emplace_back(0, 1, 0);
+  box.triangles.push_back({t.x, t.y, std::uint32_t(box.positions.size() - 1)});
+  box.parts[0].triangle_count += 1;
+  EXPECT_TRUE(Solids(scene).empty());
+}
+
 TEST(Solids, ABoxWithHolesIsNone) {
   Scene scene = box_scene();
   scene.materials[0].cutout_texture = 0;
