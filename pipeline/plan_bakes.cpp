@@ -23,6 +23,7 @@ constexpr double kTexelSeconds = 2e-5;  // with 72 light points
 constexpr double kPathOfTexelSeconds = 1e-6;
 constexpr double kCompressSeconds = 5e-8;  // of a texel in a direction
 constexpr double kBytesOfRadiance = 14;    // of a texel in a direction: as it is read, and on the GPU
+constexpr double kBytesOfBake = 24;        // of the same: both sides, while one is put below the other
 
 /// Of so many megabytes, whatever a job asks for.
 int memory_mb(double megabytes) {
@@ -79,7 +80,7 @@ std::size_t BakePlanner::add_bake(int scene, int variant, std::size_t object, co
   task.expected_seconds = texels * (kTexelSeconds + paths * trace.bounces * kPathOfTexelSeconds);
   task.timeout_seconds = std::max(task.timeout_seconds, 20 * task.expected_seconds);
   task.resources.memory_mb =
-      memory_mb(200 + texels * trace.grid.layers() * kBytesOfRadiance / 1e6 + double(facts.triangles) / 1000);
+      memory_mb(200 + texels * trace.grid.layers() * kBytesOfBake / 1e6 + double(facts.triangles) / 1000);
   return draft_.add(std::move(task));
 }
 
