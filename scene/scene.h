@@ -120,6 +120,28 @@ struct Background {
   bool lights = true;  ///< whether indirect light gathers it
 };
 
+/// One of the sines that the water's surface is the sum of:
+/// amplitude sin(2 pi / wavelength (direction . (x, z) - speed t) + phase).
+struct Wave {
+  float amplitude = 0;
+  float wavelength = 1;
+  glm::vec2 direction{1, 0};  ///< unit, of x and z: where it runs to
+  float speed = 0;            ///< in units a second
+  float phase = 0;            ///< radians
+};
+
+/// A rectangle of water, above which is air; everything below it is in the water.
+struct Water {
+  glm::vec2 min{0};  ///< x and z
+  glm::vec2 max{0};
+  float height = 0;         ///< y where it is flat
+  glm::ivec2 grid{71, 71};  ///< vertices along x and z
+  float ior = 1.333f;       ///< over that of air
+  glm::vec3 absorption{0};  ///< for each unit of length: exp(-absorption d) passes
+  glm::vec3 ambient{0};  ///< what light from everywhere adds to all that is below, times the surface's colour
+  std::vector<Wave> waves;
+};
+
 struct Camera {
   glm::vec3 position{0};
   glm::vec3 look_at{0, 0, -1};
@@ -182,6 +204,7 @@ struct Scene {
   double time = 0;  ///< seconds; where moving entities stand: `set_time` changes it
   std::vector<Light> lights;
   Background background;
+  std::optional<Water> water;
   std::optional<float> near;  ///< as given by the scene file
   std::optional<float> far;
   std::vector<Credit> credits;

@@ -23,6 +23,7 @@
 #include "scene/scene_check.h"
 #include "scene/scene_json.h"
 #include "scene/transform.h"
+#include "scene/water_json.h"
 
 namespace lightbench {
 namespace fs = std::filesystem;
@@ -83,6 +84,7 @@ class SceneLoader {
       read_list(v, [&](const auto& e) { add_light(read_light(e, problems_), e.where()); });
     });
     keys.optional("background", [&](const JsonValue& v) { read_background(v); });
+    keys.optional("water", [&](const JsonValue& v) { scene_.water = read_water(v, problems_); });
     keys.optional("near", [&](const JsonValue& v) { scene_.near = float(v.number(1e-9, 1e15)); });
     keys.optional("far", [&](const JsonValue& v) {
       scene_.far = float(v.number(1e-9, 1e15));
