@@ -59,12 +59,9 @@ SceneFacts inspect_scene(const Job& job, const JobScene& job_scene) {
     facts.moves = moves(scene);
     facts.warnings = scene.warnings;
     facts.credits = scene.credits;
-    for (const auto& variant : job.variants) {
-      const Technique& technique = find_technique(variant.technique, "");
-      facts.unsupported.push_back(technique.unsupported
-                                      ? technique.unsupported(scene, variant_params(variant))
-                                      : std::vector<std::string>());
-    }
+    for (const auto& variant : job.variants)
+      facts.unsupported.push_back(
+          reasons_against(find_technique(variant.technique, ""), scene, variant_params(variant)));
     inspect_objects(job, scene, facts);
     inspect_exports(job, job_scene, scene, facts);
   } catch (const Error& error) {

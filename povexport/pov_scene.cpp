@@ -97,6 +97,7 @@ std::vector<std::string> inexact_features(const Scene& scene) {
           "': POV-Ray cannot scale the indirect light of a surface alone; its reflectance is left out");
   if (scene.near || scene.far)
     warnings.emplace_back("near and far: POV-Ray also draws what lies outside of them");
+  if (scene.water) warnings.emplace_back("the water is left out");
   return warnings;
 }
 

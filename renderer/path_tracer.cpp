@@ -44,6 +44,7 @@ void check_arguments(const Scene& scene, const View& view, int width, int height
                    static_cast<long long>(height) * supersampling, view.name);
   if (triangle_count(scene) == 0)
     throw Error("the scene has no triangles: there is nothing to render", scene.name);
+  if (scene.water) throw Error("the path tracer shows no water", scene.name);
   const Camera& camera = view.camera;
   if (!is_finite(camera.position) || !is_finite(camera.look_at) || !is_finite(camera.up) ||
       !(camera.fov > 0 && camera.fov < 3.1415f))

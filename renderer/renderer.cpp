@@ -18,8 +18,7 @@ namespace lightbench {
 namespace {
 
 void require_supported(const Technique& technique, const ParamValues& params, const Scene& scene) {
-  if (!technique.unsupported) return;
-  const std::vector<std::string> reasons = technique.unsupported(scene, params);
+  const std::vector<std::string> reasons = reasons_against(technique, scene, params);
   if (!reasons.empty())
     throw Error(
         fmt::format("technique '{}' cannot render this scene: {}", technique.name, join(reasons, "; ")),

@@ -59,13 +59,17 @@ struct Technique {
   bool needs_bake = false;  ///< draws what was baked for each object (renderer/radiance/object_bake.h)
   bool offline = false;     ///< traces paths: no technique for real time, but what these could reach
   bool limited = false;     ///< offline, and leaves out more light than that of further bounces: no ceiling
-  /// Why it cannot render this scene with these parameters; empty when it can.
+  bool shows_water = false;
+  /// Why else it cannot render this scene with these parameters; see reasons_against.
   std::vector<std::string> (*unsupported)(const Scene& scene, const ParamValues& params) = nullptr;
   void (*render)(FrameContext& frame, const ParamValues& params) = nullptr;
 };
 
 /// All techniques, in the order of the documentation.
 std::span<const Technique> techniques();
+/// Why a technique cannot render this scene with these parameters; empty when it can.
+std::vector<std::string> reasons_against(const Technique& technique, const Scene& scene,
+                                         const ParamValues& params);
 /// Bounces of indirect light that a technique shows with these parameters.
 int technique_bounces(const Technique& technique, const ParamValues& params);
 /// By name; throws Error(…, where) that names the nearest one.

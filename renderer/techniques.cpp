@@ -34,6 +34,14 @@ const Technique& find_technique(const std::string& name, const std::string& wher
               where);
 }
 
+std::vector<std::string> reasons_against(const Technique& technique, const Scene& scene,
+                                         const ParamValues& params) {
+  std::vector<std::string> reasons;
+  if (technique.unsupported) reasons = technique.unsupported(scene, params);
+  if (scene.water && !technique.shows_water) reasons.emplace_back("it shows no water");
+  return reasons;
+}
+
 int technique_bounces(const Technique& technique, const ParamValues& params) {
   return technique.bounces ? technique.bounces(params) : 0;
 }

@@ -88,8 +88,7 @@ ExitCode run_bake(const BakeParams& params) {
       params.threads > 0 ? params.threads : int(std::max(1u, std::thread::hardware_concurrency()));
   const Scene scene = load_scene(params.scene);
   for (const auto& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  if (technique.unsupported)
-    for (const auto& reason : technique.unsupported(scene, values)) throw Error(reason, params.scene);
+  for (const auto& reason : reasons_against(technique, scene, values)) throw Error(reason, params.scene);
   check_named_sizes(scene, settings);
   const std::filesystem::path folder = params.out;
   prepare_folder(folder, bake_folder(scene, values));

@@ -75,6 +75,7 @@ Technique images_technique() {
       "digits, '.', '_' and '-' become %XX; ${LIGHTBENCH_...} is an environment variable; relative to the "
       "working directory. 8- and 16-bit files are taken as sRGB, EXR as linear light")};
   technique.needs_gl = false;
+  technique.shows_water = true;
   technique.render = render_images;
   return technique;
 }
