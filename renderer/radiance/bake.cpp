@@ -88,6 +88,7 @@ class BlockBaker {
   void bake(std::size_t first, int count);
 
   double error_sum() const { return error_sum_; }
+  bool lit() const { return lit_; }
   const RayTally& shadow_rays() const { return shadows_.tally(); }
   RayTally path_shadow_rays() const { return waves_.shadow_rays(); }
   const RayTally& diffuse_rays() const { return waves_.diffuse_rays(); }
@@ -100,6 +101,7 @@ class BlockBaker {
   void shade(int i);
   glm::vec3 matte(int i, const Surfaces8& s, int lane);
   void add_highlights(int i, float specular, float exponent);
+  bool is_dark() const;
   void keep() const;
 
   const BakeSetting& setting_;
@@ -114,6 +116,7 @@ class BlockBaker {
   std::vector<Vec8> sums_;        ///< of one texel, by packet of directions
   std::vector<HalfTexel> baked_;  ///< by texel of the block, then direction
   double error_sum_ = 0;
+  bool lit_ = false;
 };
 
 UInt8 BlockBaker::seeds(int packet) const {
@@ -204,6 +207,13 @@ void BlockBaker::shade(int i) {
 }
 
 /// Texels of a block are mostly neighbours, so that layers are written a run at a time.
+/// Whether nothing leaves the block.
+bool BlockBaker::is_dark() const {
+  const std::size_t stride = setting_.directions.size() * kLanes;
+  return std::all_of(baked_.begin(), baked_.begin() + std::ptrdiff_t(std::size_t(count_) * stride),
+                     [](const HalfTexel& texel) { return texel == HalfTexel{}; });
+}
+
 void BlockBaker::keep() const {
   const std::size_t stride = setting_.directions.size() * kLanes;
   for (int layer = 0; layer < stack_.grid.layers(); ++layer) {
@@ -226,6 +236,8 @@ void BlockBaker::bake(std::size_t first, int count) {
   shadows_.flush();
   waves_.add_samples(0, (setting_.options.bounce_samples + 1) / 2);
   for (int i = 0; i < count; ++i) shade(i);
+  if (is_dark()) return;  // as the stack is: of a back that nobody lights no memory is ever touched
+  lit_ = true;
   keep();
 }
 
@@ -285,6 +297,7 @@ BakeNews bake_texels(const PathScene& scene, std::size_t entity, std::span<const
     const std::lock_guard lock(mutex);
     shadow += baker.shadow_rays(), shadow += baker.path_shadow_rays(), diffuse += baker.diffuse_rays();
     errors += baker.error_sum();
+    news.lit |= baker.lit();
   };
   std::vector<std::future<void>> helpers;
   for (int i = 1; i < options.threads; ++i) helpers.push_back(std::async(std::launch::async, work));

@@ -39,13 +39,15 @@ struct BakeNews {
   std::vector<RayRate> rays;
   /// Of the indirect light: the mean over texels of its estimated error, of 255, as the path tracer has it.
   double noise = 0;
+  bool lit = false;  ///< whether anything leaves any of them
 };
 
 /// Traces what leaves an object in all directions of the grid: emission, direct light with Phong's highlights
 /// and soft shadows, and light over `bounces` diffuse bounces; the lighting model is that of the path tracer.
 /// All directions of a texel share its shadow rays and its paths, so what is matte is the same in all of them
-/// (thesis, chapter 5.1, but for that). Writes the texels into the stack, which has its size already; others
-/// are left alone. `progress` is told the share that is done, 0..1, from any thread, never by two at once.
+/// (thesis, chapter 5.1, but for that). Writes the texels into the stack, which has its size already and
+/// holds zeros; others are left alone. `progress` is told the share that is done, 0..1, from any thread,
+/// never by two at once.
 BakeNews bake_texels(const PathScene& scene, std::size_t entity, std::span<const BakeTexel> texels,
                      const BakeOptions& options, HalfStack& stack,
                      const std::function<void(double)>& progress = nullptr);

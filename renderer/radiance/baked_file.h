@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -55,9 +56,9 @@ class BakedReader {
   /// Throws Error unless entries are of that shape.
   void expect_entries(int components, int bits) const;
   /// All entries, once. `Entry` is as large as they are.
-  template <typename Entry>
-  std::vector<Entry> read() {
-    std::vector<Entry> entries(header_.entries);
+  template <typename Entry, typename Allocator = std::allocator<Entry>>
+  std::vector<Entry, Allocator> read() {
+    std::vector<Entry, Allocator> entries(header_.entries);
     read(std::as_writable_bytes(std::span(entries)));
     return entries;
   }

@@ -91,13 +91,9 @@ std::vector<BakeTexel> texels_of(const ChartAtlas& atlas, Side side) {
   return texels;
 }
 
-bool is_dark(const HalfStack& stack) {
-  return std::ranges::all_of(stack.texels, [](const HalfTexel& t) { return t == HalfTexel{}; });
-}
-
 /// Layer by layer the front, then the back.
 void append_back(HalfStack& front, const HalfStack& back) {
-  std::vector<HalfTexel> both;
+  HalfStack::Texels both;
   both.reserve(front.texels.size() + back.texels.size());
   const auto size = std::ptrdiff_t(front.layer_size());
   for (int layer = 0; layer < front.grid.layers(); ++layer)
@@ -215,13 +211,14 @@ ObjectBake ObjectBaker::bake(std::size_t entity, const BakeSettings& settings,
     result.news = bake_texels(impl_->paths, entity, texels, settings.trace, result.stack,
                               progress ? std::function<void(double)>(half) : nullptr);
     result.texels = texels.size();
+    if (!result.news.lit) return result;
     fill_buried(atlas, buried, result.stack);
     fill_gutters(atlas, result.stack);
     return result;
   };
   ObjectBake result = side(Side::front, 0);
   const ObjectBake back = side(Side::back, 0.5);
-  if (!is_dark(back.stack)) {
+  if (back.news.lit) {
     append_back(result.stack, back.stack);
     result.news.noise = std::max(result.news.noise, back.news.noise);
   }

@@ -34,7 +34,9 @@ RadianceStack<Component> read(const fs::path& file) {
   BakedReader reader = open(file);
   reader.expect_entries(3, 8 * sizeof(Component));
   const BakedHeader& header = reader.header();
-  return {header.width, header.height, header.grid, header.scale, reader.read<std::array<Component, 3>>()};
+  using Entry = std::array<Component, 3>;
+  return {header.width, header.height, header.grid, header.scale,
+          reader.read<Entry, ZeroedAllocator<Entry>>()};
 }
 
 }  // namespace

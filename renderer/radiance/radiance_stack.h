@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/zeroed_allocator.h"
 #include "renderer/radiance/direction_grid.h"
 
 namespace lightbench {
@@ -17,7 +18,8 @@ struct RadianceStack {
   int height = 0;
   DirectionGrid grid;
   float scale = 1;  ///< the radiance that stands for 1
-  std::vector<std::array<Component, 3>> texels;
+  using Texels = std::vector<std::array<Component, 3>, ZeroedAllocator<std::array<Component, 3>>>;
+  Texels texels;
 
   std::size_t layer_size() const { return std::size_t(width) * std::size_t(height); }
   std::size_t index(int x, int y, int layer) const {

@@ -151,7 +151,7 @@ TEST(Bake, GathersBouncesAsThePathTracerDoes) {
   options.grid = {2, 1};
   options.bounces = 2;
   options.bounce_samples = 4096;
-  HalfStack stack{1, 1, options.grid, 1, std::vector<std::array<std::uint16_t, 3>>(2)};
+  HalfStack stack{1, 1, options.grid, 1, HalfStack::Texels(2)};
   // The middle of a triangle of the wall at x = -1.99, whose normals point out of the room.
   const BakeTexel texel{0, 0, {0, 1.0f / 3, 1.0f / 3}, Side::back};
   bake_texels(PathScene(scene), 1, std::span(&texel, 1), options, stack);
@@ -219,7 +219,7 @@ TEST(Bake, TellsOfRaysAndNoise) {
   const Scene scene = board_scene(matte(glm::vec3(0.5f)));
   BakeOptions options;
   options.grid = {2, 1};
-  HalfStack stack{1, 1, options.grid, 1, std::vector<std::array<std::uint16_t, 3>>(2)};
+  HalfStack stack{1, 1, options.grid, 1, HalfStack::Texels(2)};
   const BakeTexel texel{0, 0, floor_at(0, 0), Side::front};
   BakeNews news = bake_texels(PathScene(scene), 0, std::span(&texel, 1), options, stack);
   EXPECT_EQ(news.noise, 0) << "fixed light points have none";

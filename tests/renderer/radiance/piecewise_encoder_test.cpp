@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 
 /// One texel, with a direction for each value.
 ByteStack texel_of(const std::vector<Rgb8>& values) {
-  return {1, 1, {int(values.size()), 1}, 1, values};
+  return {1, 1, {int(values.size()), 1}, 1, ByteStack::Texels(values.begin(), values.end())};
 }
 ByteStack greys(const std::vector<int>& values) {
   std::vector<Rgb8> colors;
