@@ -40,10 +40,10 @@ void inspect_exports(const Job& job, const JobScene& job_scene, Scene& scene, Sc
 }
 
 void inspect_objects(const Job& job, const Scene& scene, SceneFacts& facts) {
-  facts.texels.resize(job.variants.size());
+  facts.sizes.resize(job.variants.size());
   for (std::size_t v = 0; v < job.variants.size(); ++v) {
     if (!find_technique(job.variants[v].technique, "").needs_bake) continue;
-    facts.texels[v] = expected_texels(scene, bake_settings(variant_params(job.variants[v])));
+    facts.sizes[v] = expected_sizes(scene, bake_settings(variant_params(job.variants[v])));
     if (!facts.objects.empty()) continue;
     for (const std::size_t entity : objects_to_bake(scene))
       facts.objects.push_back({int(entity), scene.entities[entity].name, object_file_stem(scene, entity)});

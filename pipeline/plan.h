@@ -7,6 +7,7 @@
 
 #include "pipeline/job.h"
 #include "pipeline/references.h"
+#include "renderer/radiance/object_size.h"
 #include "reports/run_report.h"
 
 namespace lightbench {
@@ -73,7 +74,7 @@ struct SceneFacts {
   KeyParts files;                                     ///< name and hash of everything that was read
   std::vector<std::vector<std::string>> unsupported;  ///< [variant]: why its technique cannot show it
   std::vector<ObjectFacts> objects;                   ///< where a variant needs a bake
-  std::vector<std::vector<double>> texels;     ///< [variant][object]: how many are baked, about; or empty
+  std::vector<std::vector<ObjectSize>> sizes;  ///< [variant][object]: what is baked, about; or empty
   std::vector<std::vector<KeyParts>> exports;  ///< [reference][view]; no views where nothing is exported
   std::map<std::string, std::vector<std::string>> kind_warnings;  ///< by reference kind
 };

@@ -1,7 +1,6 @@
 #include "pipeline/plan_bakes.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -39,10 +38,10 @@ void BakePlanner::need_objects(Task& snapshot) {
   std::vector<std::string> keys;
   for (const std::size_t dep : snapshot.deps) keys.push_back(draft_.tasks()[dep].key);
   snapshot.key_parts.emplace_back("baked", join(keys, " "));
-  const std::vector<double>& texels = facts.texels[std::size_t(snapshot.variant)];
-  const DirectionGrid grid = bake_settings(variant_params(draft_.variant(snapshot.variant))).trace.grid;
-  snapshot.resources.memory_mb +=
-      memory_mb(std::accumulate(texels.begin(), texels.end(), 0.0) * grid.layers() * kBytesOfRadiance / 1e6);
+  double values = 0;
+  for (const ObjectSize& size : facts.sizes[std::size_t(snapshot.variant)])
+    values += size.texels * size.directions;
+  snapshot.resources.memory_mb += memory_mb(values * kBytesOfRadiance / 1e6);
 }
 
 const std::vector<std::size_t>& BakePlanner::object_files(int scene, int variant) {
@@ -74,13 +73,13 @@ std::size_t BakePlanner::add_bake(int scene, int variant, std::size_t object, co
   task.key_parts.emplace_back("parameters", bake_params_text(params));
   task.outputs = {folder + "/" + baked.file_stem + ".mtex"};
   task.group = "scene " + std::to_string(scene);
-  const double texels = facts.texels[std::size_t(variant)][object];
+  const auto [texels, directions] = facts.sizes[std::size_t(variant)][object];
   const BakeOptions trace = bake_settings(params).trace;
   const double paths = trace.bounces > 0 ? trace.bounce_samples : 0;
   task.expected_seconds = texels * (kTexelSeconds + paths * trace.bounces * kPathOfTexelSeconds);
   task.timeout_seconds = std::max(task.timeout_seconds, 20 * task.expected_seconds);
   task.resources.memory_mb =
-      memory_mb(200 + texels * trace.grid.layers() * kBytesOfBake / 1e6 + double(facts.triangles) / 1000);
+      memory_mb(200 + texels * directions * kBytesOfBake / 1e6 + double(facts.triangles) / 1000);
   return draft_.add(std::move(task));
 }
 
@@ -100,8 +99,8 @@ std::size_t BakePlanner::add_compression(int scene, int variant, std::size_t obj
   for (const char* extension : radiance_codec(params).extensions)
     task.outputs.push_back(folder + "/" + compressed.file_stem + extension);
   task.group = "compress " + std::to_string(scene);
-  const double values =
-      facts.texels[std::size_t(variant)][object] * bake_settings(params).trace.grid.layers();
+  const auto [texels, directions] = facts.sizes[std::size_t(variant)][object];
+  const double values = texels * directions;
   task.expected_seconds = 0.1 + values * kCompressSeconds;
   task.resources.memory_mb = memory_mb(200 + values * kBytesOfRadiance / 1e6);
   return draft_.add(std::move(task));

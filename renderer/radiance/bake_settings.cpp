@@ -70,9 +70,11 @@ std::vector<ParamSpec> bake_params() {
   const DirectionGrid grid;
   const BakeSettings settings;
   return {
-      integer_param("thetas", grid.thetas, 2, kMaxThetas,
-                    "directions from the normal to the horizon; more where highlights are narrow"),
+      integer_param("thetas", grid.thetas, 2, kMaxThetas, "directions from the normal to the horizon"),
       integer_param("phis", grid.phis, 1, kMaxPhis, "directions around the normal"),
+      number_param("gloss_exponent", settings.gloss_exponent, 0, 1e6,
+                   "exponent of highlights that thetas x phis directions serve; objects with higher ones get "
+                   "more by the root of the ratio both ways, up to 45 x 45; 0: all have thetas x phis"),
       choice_param("order", names_of(layer_orders()), name_of(grid.order),
                    "of a texel's directions; phi_serpentine: neighbours in the order are neighbours on the "
                    "hemisphere, which compresses best"),
@@ -100,6 +102,7 @@ BakeSettings bake_settings(const ParamValues& params) {
   BakeSettings settings;
   settings.trace.grid.thetas = params.integer("thetas");
   settings.trace.grid.phis = params.integer("phis");
+  settings.gloss_exponent = params.number("gloss_exponent");
   settings.trace.grid.order = row_called(layer_orders(), params.text("order")).order;
   settings.trace.scale = float(params.number("scale"));
   settings.trace.light_samples = params.integer("light_samples");

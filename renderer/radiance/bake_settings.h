@@ -20,7 +20,9 @@ struct NamedSize {
 
 /// Everything that decides what is baked of a scene.
 struct BakeSettings {
-  BakeOptions trace;
+  BakeOptions trace;  ///< with the grid of objects that are not too glossy for it
+  /// Of Phong, up to which that grid serves: others get more directions (object_grid). 0: all have that grid.
+  double gloss_exponent = 40;
   std::vector<NamedSize> sizes;  ///< the first that matches counts
   double density = 0;            ///< texels along a unit of length, of other objects; 0: from `texels`
   double texels = 500000;        ///< of all other objects of the scene together, about

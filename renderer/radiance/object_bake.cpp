@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -155,15 +156,34 @@ void check_named_sizes(const Scene& scene, const BakeSettings& settings) {
           "parameter 'sizes'");
 }
 
-std::vector<double> expected_texels(const Scene& scene, const BakeSettings& settings) {
+DirectionGrid object_grid(const Scene& scene, std::size_t entity, const BakeSettings& settings) {
+  constexpr int kMostAlong = 45;
+  DirectionGrid grid = settings.trace.grid;
+  double exponent = 0;
+  for (const MeshPart& part : mesh_of(scene, entity).parts) {
+    const Material& material = scene.materials[std::size_t(part.material)];
+    if (material.specular > 0) exponent = std::max(exponent, double(material.exponent));
+  }
+  if (settings.gloss_exponent <= 0 || exponent <= settings.gloss_exponent) return grid;
+  const double finer = std::sqrt(exponent / settings.gloss_exponent);
+  const auto along = [&](int steps) {
+    return int(std::min(std::ceil(steps * finer), double(std::numeric_limits<int>::max() / 2)));
+  };
+  grid.thetas = std::max(grid.thetas, std::min(1 + along(grid.thetas - 1), kMostAlong));
+  grid.phis = std::max(grid.phis, std::min(along(grid.phis), kMostAlong));
+  return grid;
+}
+
+std::vector<ObjectSize> expected_sizes(const Scene& scene, const BakeSettings& settings) {
   const double along = density(scene, settings);
-  std::vector<double> texels;
+  std::vector<ObjectSize> sizes;
   for (const std::size_t entity : objects_to_bake(scene)) {
     const NamedSize* given = given_size(scene, entity, settings);
-    texels.push_back(given ? double(given->size.x) * given->size.y
-                           : along * along * world_area(scene, entity));
+    sizes.push_back(
+        {given ? double(given->size.x) * given->size.y : along * along * world_area(scene, entity),
+         object_grid(scene, entity, settings).layers()});
   }
-  return texels;
+  return sizes;
 }
 
 std::string object_file_stem(const Scene& scene, std::size_t entity) {
@@ -176,7 +196,7 @@ ChartAtlas object_atlas(const Scene& scene, std::size_t entity, const BakeSettin
   const std::string where = fmt::format("object '{}' of {}", scene.entities[entity].name, scene.name);
   ChartAtlas atlas =
       make_chart_atlas(mesh_of(scene, entity), scene.entities[entity].transform, size, settings.uvs, where);
-  check_fits_in_a_file(atlas, settings.trace.grid.layers(), where);
+  check_fits_in_a_file(atlas, object_grid(scene, entity, settings).layers(), where);
   return atlas;
 }
 
@@ -199,16 +219,18 @@ ObjectBake ObjectBaker::bake(std::size_t entity, const BakeSettings& settings,
                              const std::function<void(double)>& progress) const {
   const ChartAtlas atlas = object_atlas(impl_->paths.scene, entity, settings);
   const float above = kAbove * impl_->texel_size(entity, atlas);
+  BakeOptions trace = settings.trace;
+  trace.grid = object_grid(impl_->paths.scene, entity, settings);
   const auto side = [&](Side which, double begin) {
     ObjectBake result;
-    result.stack = {atlas.width, atlas.height, settings.trace.grid, settings.trace.scale, {}};
-    result.stack.texels.resize(result.stack.layer_size() * std::size_t(settings.trace.grid.layers()));
+    result.stack = {atlas.width, atlas.height, trace.grid, trace.scale, {}};
+    result.stack.texels.resize(result.stack.layer_size() * std::size_t(trace.grid.layers()));
     std::vector<BakeTexel> texels = texels_of(atlas, which);
     const std::vector<bool> buried = buried_texels(impl_->paths, impl_->solids, entity, texels, above);
     std::size_t number = 0;
     std::erase_if(texels, [&](const BakeTexel&) { return bool(buried[number++]); });
     const auto half = [&](double share) { progress(begin + share / 2); };
-    result.news = bake_texels(impl_->paths, entity, texels, settings.trace, result.stack,
+    result.news = bake_texels(impl_->paths, entity, texels, trace, result.stack,
                               progress ? std::function<void(double)>(half) : nullptr);
     result.texels = texels.size();
     if (!result.news.lit) return result;

@@ -8,9 +8,15 @@
 
 #include "renderer/radiance/bake_settings.h"
 #include "renderer/radiance/chart_atlas.h"
+#include "renderer/radiance/object_size.h"
 #include "scene/scene.h"
 
 namespace lightbench {
+
+/// The directions of an entity's texels: with the settings' steps for highlights of `gloss_exponent`, which
+/// are as wide as the root of their exponent is small; finer for narrower ones, up to 45 x 45, since OpenGL
+/// does not promise more than 2048 layers of a texture.
+DirectionGrid object_grid(const Scene& scene, std::size_t entity, const BakeSettings& settings);
 
 /// The texels of an entity's surface: an atlas for the front; a stack of twice its height holds the back
 /// below it, in the same places. Throws Error where the texels do not fit into a texture, or their radiance
@@ -26,8 +32,8 @@ std::vector<std::size_t> objects_to_bake(const Scene& scene);
 /// Throws Error where a pattern of `sizes` matches none of them.
 void check_named_sizes(const Scene& scene, const BakeSettings& settings);
 
-/// How many texels each of them will have, about.
-std::vector<double> expected_texels(const Scene& scene, const BakeSettings& settings);
+/// What each of them will have.
+std::vector<ObjectSize> expected_sizes(const Scene& scene, const BakeSettings& settings);
 
 /// The name of an object's files in a folder of them, without extension: its number and its name, escaped.
 std::string object_file_stem(const Scene& scene, std::size_t entity);

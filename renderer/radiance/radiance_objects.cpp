@@ -87,13 +87,13 @@ RadianceObjects::RadianceObjects(const Scene& scene, const std::filesystem::path
                                  const ParamValues& params)
     : key_(key_of(folder, params)), file_bytes_(radiance_file_bytes(scene, folder, params)) {
   const BakeSettings settings = bake_settings(params);
-  grid_ = settings.trace.grid;
+  order_ = settings.trace.grid.order;
   for (const std::size_t entity : objects_to_bake(scene)) {
     const ChartAtlas atlas = object_atlas(scene, entity, settings);
     const std::filesystem::path stem = folder / object_file_stem(scene, entity);
     RadianceObject object = object_of(scene, entity, atlas);
     object.file = radiance_codec(params).load(stem, params);
-    check_fits(object.file, atlas, grid_, stem.string());
+    check_fits(object.file, atlas, object_grid(scene, entity, settings), stem.string());
     object.sides = object.file.height / atlas.height;
     objects_.push_back(std::move(object));
   }

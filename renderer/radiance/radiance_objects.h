@@ -59,13 +59,13 @@ class RadianceObjects {
   /// Whether these were read from there for such parameters; those that say how to draw may differ.
   bool are(const std::filesystem::path& folder, const ParamValues& params) const;
   const std::vector<RadianceObject>& objects() const { return objects_; }
-  const DirectionGrid& grid() const { return grid_; }
+  LayerOrder order() const { return order_; }  ///< of all of them
   std::uint64_t file_bytes() const { return file_bytes_; }
 
  private:
   std::string key_;
   std::uint64_t file_bytes_;
-  DirectionGrid grid_;
+  LayerOrder order_;
   std::vector<RadianceObject> objects_;
 };
 

@@ -76,8 +76,8 @@ Places draw_places(FrameContext& frame, const RadianceObjects& objects) {
 
 ShaderDefines shade_defines(const RadianceObjects& objects, const ParamValues& params) {
   ShaderDefines defines = radiance_codec(params).defines(params);
-  if (objects.grid().order == LayerOrder::theta_major) defines.emplace_back("THETA_MAJOR");
-  if (objects.grid().order == LayerOrder::phi_major) defines.emplace_back("PHI_MAJOR");
+  if (objects.order() == LayerOrder::theta_major) defines.emplace_back("THETA_MAJOR");
+  if (objects.order() == LayerOrder::phi_major) defines.emplace_back("PHI_MAJOR");
   return defines;
 }
 
@@ -89,13 +89,13 @@ void shade(FrameContext& frame, const RadianceObjects& objects, const ParamValue
   places.places.bind(0);
   places.normals.bind(1);
   program.use();
-  program.set("grid", glm::ivec2(objects.grid().thetas, objects.grid().phis));
   int number = 0;
   for (const RadianceObject& object : objects.objects()) {
     const PixelRect pixels =
         pixels_of_box(object.bounds, clip_from_object(frame, object), {frame.width(), frame.height()});
     program.set("object", number);
     program.set("size", glm::ivec2(object.file.width, object.file.height));
+    program.set("grid", glm::ivec2(object.file.grid.thetas, object.file.grid.phis));
     program.set("sides", object.sides);
     program.set("scale", object.file.scale);
     object.file.textures->bind(program);

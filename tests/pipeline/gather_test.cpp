@@ -143,7 +143,7 @@ class GatherObjects : public ::testing::Test {
   GatherObjects() {
     for (SceneFacts& scene : facts_.scenes) {
       scene.objects = {{0, "the/floor", "0000-floor"}, {2, "box", "0002-box"}};
-      scene.texels.assign(job_.variants.size(), {100, 300});
+      scene.sizes.assign(job_.variants.size(), {{100, 400}, {300, 400}});
     }
     plan_ = make_plan(job_, facts_, "/out");
     outcomes_.assign(plan_.tasks.size(), {TaskState::done, "", 0, LedgerEntry{}});

@@ -24,7 +24,7 @@ Plan plan_with(const std::string& variants, double texels = 100) {
   PlanFacts facts = facts_for(job);
   for (SceneFacts& scene : facts.scenes) {
     scene.objects = {{0, "floor", "0000-floor"}, {2, "box", "0002-box"}};
-    scene.texels.assign(job.variants.size(), {texels, 3 * texels});
+    scene.sizes.assign(job.variants.size(), {{texels, 400}, {3 * texels, 400}});
   }
   return make_plan(job, facts, "/out");
 }

@@ -36,6 +36,26 @@ TEST(ObjectBake, MoreThanAFileHoldsIsAnErrorBeforeItIsTraced) {
               HasSubstr("object 'quad' of floor: 257 x 257 texels of 65536 directions are more than a file"));
 }
 
+TEST(ObjectBake, GlossyObjectsHaveMoreDirections) {
+  Scene scene = floor_scene();
+  BakeSettings settings;  // 20 x 20 directions up to an exponent of 40
+  const auto directions = [&](float specular, float exponent) {
+    scene.materials[0].specular = specular;
+    scene.materials[0].exponent = exponent;
+    const DirectionGrid grid = object_grid(scene, 0, settings);
+    EXPECT_EQ(expected_sizes(scene, settings)[0].directions, grid.layers());
+    return glm::ivec2(grid.thetas, grid.phis);
+  };
+  EXPECT_EQ(directions(0.5f, 40), glm::ivec2(20, 20));
+  EXPECT_EQ(directions(0.5f, 160), glm::ivec2(39, 40)) << "half the step";
+  EXPECT_EQ(directions(0.5f, 1e9f), glm::ivec2(45, 45)) << "as many as OpenGL takes";
+  EXPECT_EQ(directions(0, 1e9f), glm::ivec2(20, 20)) << "no highlights";
+  settings.trace.grid.thetas = 60;
+  EXPECT_EQ(directions(0.5f, 1e9f), glm::ivec2(60, 45)) << "never fewer than asked for";
+  settings.gloss_exponent = 0;
+  EXPECT_EQ(directions(0.5f, 1e9f), glm::ivec2(60, 20));
+}
+
 TEST(ObjectBake, SizesAreOfObjectsThatThereAre) {
   const Scene scene = floor_scene();
   EXPECT_EQ(error_of([&] { check_named_sizes(scene, with_size("q*", {4, 4})); }), "no error");
@@ -58,7 +78,7 @@ TEST(ObjectBake, AMeshWithoutTrianglesIsNoObject) {
   scene.meshes[0].triangles.clear();
   scene.meshes[0].parts.clear();
   EXPECT_TRUE(objects_to_bake(scene).empty());
-  EXPECT_TRUE(expected_texels(scene, {}).empty());
+  EXPECT_TRUE(expected_sizes(scene, {}).empty());
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "renderer/radiance/piecewise_file.h"
 #include "renderer/radiance/radiance_codecs.h"
 #include "renderer/radiance/radiance_file.h"
+#include "scene/box_mesh.h"
 #include "tests/renderer/room_scenes.h"
 
 namespace lightbench {
@@ -94,6 +95,33 @@ TEST(GlSurfaceRadiance, ShowsHighlights) {
   EXPECT_GT(mean_difference(drawn(scene, view, {{"texels", 4e4}, {"thetas", 3LL}, {"phis", 3LL}}), exact),
             0.01)
       << "with few directions it is far off";
+}
+
+TEST(GlSurfaceRadiance, GlossyObjectsHaveMoreDirections) {
+  Scene scene = floor_scene();
+  scene.materials[0].specular = 0.5f;
+  scene.materials[0].exponent = 40;
+  scene.materials.emplace_back();
+  scene.meshes.push_back(box_mesh("box", {{-3, 0, -6}, {-1, 2, -4}}, int(scene.materials.size()) - 1));
+  scene.entities.push_back({"box", int(scene.meshes.size()) - 1});
+  scene.lights = {point_light({1, 2, -2})};
+  View view = inside_view();
+  view.camera.position = {0, 2, 3};
+  view.camera.look_at = {0, 0, 0};
+  const Image exact = traced(scene, view);
+  const auto error = [&](double gloss_exponent, const char* codec) {
+    return mean_difference(drawn(scene, view,
+                                 {{"texels", 1e4},
+                                  {"thetas", 8LL},
+                                  {"phis", 8LL},
+                                  {"gloss_exponent", gloss_exponent},
+                                  {"bound", 3LL},  // of pca, which may drop highlights without
+                                  {"codec", std::string(codec)}}),
+                           exact);
+  };
+  // 15 x 16 directions instead of 8 x 8: errors of linear interpolation fall with the square of the step.
+  for (const char* codec : {"raw", "piecewise", "pca"})
+    EXPECT_LT(error(10, codec), 0.5 * error(0, codec)) << codec;
 }
 
 TEST(GlSurfaceRadiance, TheOrderOfLayersChangesNothing) {
