@@ -167,7 +167,7 @@ DirectionGrid object_grid(const Scene& scene, std::size_t entity, const BakeSett
   if (settings.gloss_exponent <= 0 || exponent <= settings.gloss_exponent) return grid;
   const double finer = std::sqrt(exponent / settings.gloss_exponent);
   const auto along = [&](int steps) {
-    return int(std::min(std::ceil(steps * finer), double(std::numeric_limits<int>::max() / 2)));
+    return int(std::min(std::ceil(steps * finer), 0.5 * std::numeric_limits<int>::max()));
   };
   grid.thetas = std::max(grid.thetas, std::min(1 + along(grid.thetas - 1), kMostAlong));
   grid.phis = std::max(grid.phis, std::min(along(grid.phis), kMostAlong));
