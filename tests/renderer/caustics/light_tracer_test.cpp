@@ -81,8 +81,7 @@ TEST(LightTracer, WhatStandsAboveTheWaterShadesIt) {
 TEST(LightTracer, APointLightThinsOut) {
   Scene scene = pool_scene({0, -1, 0});
   add_box(scene, "stone", {{-0.1f, 0, -0.1f}, {0.1f, 0.01f, 0.1f}});
-  Light lamp;
-  lamp.position = {0, 3, 0};
+  const Light lamp = point_light({0, 3, 0});
   scene.lights = {lamp};
   LightTraceOptions options = few_rays();
   options.rays = 2'000'000;

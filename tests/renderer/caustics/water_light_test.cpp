@@ -50,8 +50,7 @@ TEST(WaterLight, FresnelTakesWhatIsReflected) {
 
 TEST(WaterLight, OfAPointGoesAwayFromIt) {
   Scene scene = pool_scene({0, -1, 0});
-  Light lamp;
-  lamp.position = {0, 5, 0};
+  Light lamp = point_light({0, 5, 0});
   lamp.power = 2;
   lamp.color = {1, 0.5f, 0};
   const Mesh mesh = water_mesh(*scene.water, 0);
@@ -70,10 +69,9 @@ TEST(WaterLight, OfAPointGoesAwayFromIt) {
 TEST(WaterLight, TellsWhatCannotShineThrough) {
   Scene scene = pool_scene({0, -1, 0});
   EXPECT_EQ(water_light_problem(scene, scene.lights[0]), "");
-  EXPECT_EQ(water_light_problem(scene, sun({1, 0.1f, 0})), "light 'sun' does not shine down on the water");
-  Light lamp;
-  lamp.name = "lamp";
-  lamp.position = {0, 2.05f, 0};
+  EXPECT_EQ(water_light_problem(scene, directional_light({1, 0.1f, 0})),
+            "light 'sun' does not shine down on the water");
+  Light lamp = point_light({0, 2.05f, 0});
   EXPECT_EQ(water_light_problem(scene, lamp), "");
   scene.water->waves = {{0.1f, 1, {1, 0}, 0, 0}};
   EXPECT_EQ(water_light_problem(scene, lamp), "light 'lamp' is not above the water");

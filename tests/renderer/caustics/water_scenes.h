@@ -1,19 +1,10 @@
 #pragma once
 
-#include <glm/geometric.hpp>
-
 #include "scene/box_mesh.h"
 #include "scene/scene.h"
+#include "tests/renderer/render_scene.h"
 
 namespace lightbench::test {
-
-inline Light sun(const glm::vec3& direction) {
-  Light light;
-  light.name = "sun";
-  light.kind = LightKind::directional;
-  light.direction = glm::normalize(direction);
-  return light;
-}
 
 /// Adds a box as an entity of its own, of the first material.
 inline void add_box(Scene& scene, const std::string& name, const Bounds& box) {
@@ -33,7 +24,7 @@ inline Scene pool_scene(const glm::vec3& direction) {
   water.height = 2;
   water.grid = {9, 9};
   scene.water = water;
-  scene.lights = {sun(direction)};
+  scene.lights = {directional_light(direction)};
   return scene;
 }
 
