@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -157,7 +156,7 @@ void check_named_sizes(const Scene& scene, const BakeSettings& settings) {
 }
 
 DirectionGrid object_grid(const Scene& scene, std::size_t entity, const BakeSettings& settings) {
-  constexpr int kMostAlong = 45;
+  constexpr int kMostLayers = 2048, kMostAlong = 45;  // 45 * 45 is the largest square below
   DirectionGrid grid = settings.trace.grid;
   double exponent = 0;
   for (const MeshPart& part : mesh_of(scene, entity).parts) {
@@ -166,11 +165,10 @@ DirectionGrid object_grid(const Scene& scene, std::size_t entity, const BakeSett
   }
   if (settings.gloss_exponent <= 0 || exponent <= settings.gloss_exponent) return grid;
   const double finer = std::sqrt(exponent / settings.gloss_exponent);
-  const auto along = [&](int steps) {
-    return int(std::min(std::ceil(steps * finer), 0.5 * std::numeric_limits<int>::max()));
-  };
-  grid.thetas = std::max(grid.thetas, std::min(1 + along(grid.thetas - 1), kMostAlong));
-  grid.phis = std::max(grid.phis, std::min(along(grid.phis), kMostAlong));
+  const auto along = [&](int steps) { return int(std::min(std::ceil(steps * finer), double(kMostAlong))); };
+  grid.thetas =
+      std::max(grid.thetas, std::min({1 + along(grid.thetas - 1), kMostAlong, kMostLayers / grid.phis}));
+  grid.phis = std::max(grid.phis, std::min(along(grid.phis), kMostLayers / grid.thetas));
   return grid;
 }
 

@@ -14,8 +14,8 @@
 namespace lightbench {
 
 /// The directions of an entity's texels: with the settings' steps for highlights of `gloss_exponent`, which
-/// are as wide as the root of their exponent is small; finer for narrower ones, up to 45 x 45, since OpenGL
-/// does not promise more than 2048 layers of a texture.
+/// are as wide as the root of their exponent is small; finer for narrower ones, up to 45 along each and to
+/// 2048 together, which is as many layers of a texture as OpenGL promises.
 DirectionGrid object_grid(const Scene& scene, std::size_t entity, const BakeSettings& settings);
 
 /// The texels of an entity's surface: an atlas for the front; a stack of twice its height holds the back
