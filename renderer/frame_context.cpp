@@ -51,6 +51,18 @@ const Program& FrameContext::fullscreen_program(const std::string& fragment, con
   return program("shaders/fullscreen.vert.glsl", fragment, defines);
 }
 
+const Program& FrameContext::compute_program(const std::string& shader, const ShaderDefines& defines) {
+  assert(gpu_);
+  return gpu_->programs.get_compute(shader, defines);
+}
+
+void FrameContext::compute(const Program& program, int invocations) {
+  program.use();
+  glDispatchCompute(GLuint((invocations + kComputeGroup - 1) / kComputeGroup), 1, 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                  GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT);
+}
+
 void FrameContext::pass(const std::string& name, const std::function<void()>& draw) {
   glFinish();
   const Stopwatch watch;
@@ -73,7 +85,13 @@ void FrameContext::draw_fullscreen(const Framebuffer& target, const Program& pro
   target.bind();
   program.use();
   glDisable(GL_CULL_FACE);
-  glDisable(GL_DEPTH_TEST);
+  if (where.writes_depth) {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    glDepthMask(GL_TRUE);
+  } else {
+    glDisable(GL_DEPTH_TEST);
+  }
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   if (blend == Blend::add) {
     glEnable(GL_BLEND);
@@ -95,7 +113,10 @@ void FrameContext::draw_fullscreen(const Framebuffer& target, const Program& pro
     glDisable(GL_STENCIL_TEST);
   }
   glBindVertexArray(gpu_->no_vertices.id());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  if (where.commands)
+    where.commands->draw(where.command);
+  else
+    glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_SCISSOR_TEST);  // which clears heed, too
 }
 

@@ -22,9 +22,13 @@ class RadianceCache;
 enum class Blend { replace, add };
 /// Where a full-screen pass draws.
 struct DrawOn {
-  std::optional<int> stencil;       ///< only where the target's stencil has this value
-  std::optional<PixelRect> pixels;  ///< nowhere outside
+  std::optional<int> stencil;              ///< only where the target's stencil has this value
+  std::optional<PixelRect> pixels;         ///< nowhere outside
+  const DrawCommands* commands = nullptr;  ///< only if the one of that number says so
+  int command = 0;
+  bool writes_depth = false;  ///< the depth that the shader gives
 };
+inline constexpr int kComputeGroup = 64;  ///< of shaders/compute.glsl, too
 /// The pixels of objects, in targets whose stencil tells nothing but whether there is one.
 inline const DrawOn kObjects{1, std::nullopt};
 
@@ -60,6 +64,11 @@ class FrameContext {
   /// A program of full-screen passes: `fragment` after shaders/fullscreen.vert.glsl, which gives `in vec2
   /// uv`, 0..1, y up.
   const Program& fullscreen_program(const std::string& fragment, const ShaderDefines& defines = {});
+  /// Of a compute shader whose groups are of kComputeGroup invocations along x.
+  const Program& compute_program(const std::string& shader, const ShaderDefines& defines = {});
+  /// Runs it for that many invocations and a few more, of which the shader must take no notice; what it
+  /// writes is seen by all that is drawn or computed later.
+  void compute(const Program& program, int invocations);
 
   /// Runs `draw` as the pass of that name: the pipeline is drained before and after it, and the times of
   /// passes with one name add up. Not to be nested.

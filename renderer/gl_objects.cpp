@@ -209,6 +209,33 @@ void Buffer::bind_storage(unsigned binding) const {
 
 namespace {
 
+// As glDrawArraysIndirect reads it.
+struct DrawCommand {
+  GLuint vertices = 3;
+  GLuint instances = 0;
+  GLuint first_vertex = 0;
+  GLuint first_instance = 0;
+};
+
+}  // namespace
+
+DrawCommands::DrawCommands(std::size_t count) {
+  const std::vector<DrawCommand> commands(count);
+  buffer_ = Buffer(commands.data(), commands.size() * sizeof(DrawCommand));
+}
+
+void DrawCommands::written() const {
+  glMemoryBarrier(GL_COMMAND_BARRIER_BIT);
+}
+
+void DrawCommands::draw(int command) const {
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer_.id());
+  glDrawArraysIndirect(GL_TRIANGLES,
+                       reinterpret_cast<const void*>(std::uintptr_t(command) * sizeof(DrawCommand)));
+}
+
+namespace {
+
 struct BufferFormatRow {
   GLenum internal;
   std::size_t bytes;

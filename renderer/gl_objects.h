@@ -110,6 +110,21 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
+/// Draws of full-screen triangles that shaders decide on: storage of four whole numbers each, of which the
+/// second is 1 where it is to be drawn; all start with 0.
+class DrawCommands {
+ public:
+  explicit DrawCommands(std::size_t count);
+
+  void bind_storage(unsigned binding) const { buffer_.bind_storage(binding); }
+  /// To be called between the writing shaders and the draws.
+  void written() const;
+  void draw(int command) const;
+
+ private:
+  Buffer buffer_;
+};
+
 enum class BufferFormat { r16ui, r32ui, rg32ui, rgba8ui };
 
 /// A long row of whole numbers that shaders read with texelFetch from a usamplerBuffer.

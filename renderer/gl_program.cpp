@@ -56,7 +56,7 @@ void link(GLuint program, const std::string& names) {
   glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
   std::string log(std::size_t(length), '\0');
   glGetProgramInfoLog(program, length, nullptr, log.data());
-  throw std::logic_error(fmt::format("{} do not link:\n{}", names, log));
+  throw std::logic_error(fmt::format("{} does not link:\n{}", names, log));
 }
 
 }  // namespace
@@ -73,6 +73,16 @@ Program::Program(const std::string& vertex, const std::string& fragment, const S
     glDeleteShader(shader);  // lives as long as it is attached
   }
   link(id(), vertex + " and " + fragment);
+}
+
+Program Program::compute(const std::string& shader, const ShaderDefines& defines) {
+  Program program;
+  program.handle_ = GlHandle<delete_program>(glCreateProgram());
+  const GLuint compiled = compile(GL_COMPUTE_SHADER, shader, defines);
+  glAttachShader(program.id(), compiled);
+  glDeleteShader(compiled);
+  link(program.id(), shader);
+  return program;
 }
 
 void Program::use() const {
@@ -113,13 +123,29 @@ void Program::set(const char* name, const glm::mat4& value) const {
   glProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
 
+namespace {
+
+std::string program_key(const std::string& shaders, const ShaderDefines& defines) {
+  std::string key = shaders;
+  for (const std::string& define : defines) key += "\n" + define;
+  return key;
+}
+
+}  // namespace
+
 const Program& ProgramCache::get(const std::string& vertex, const std::string& fragment,
                                  const ShaderDefines& defines) {
-  std::string key = vertex + "\n" + fragment;
-  for (const std::string& define : defines) key += "\n" + define;
+  const std::string key = program_key(vertex + "\n" + fragment, defines);
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   return programs_.emplace(key, Program(vertex, fragment, defines)).first->second;
+}
+
+const Program& ProgramCache::get_compute(const std::string& shader, const ShaderDefines& defines) {
+  const std::string key = program_key(shader, defines);
+  const auto found = programs_.find(key);
+  if (found != programs_.end()) return found->second;
+  return programs_.emplace(key, Program::compute(shader, defines)).first->second;
 }
 
 }  // namespace lightbench

@@ -28,6 +28,9 @@ class Program {
   Program() = default;
   Program(const std::string& vertex, const std::string& fragment, const ShaderDefines& defines = {});
 
+  /// Of one compute shader.
+  static Program compute(const std::string& shader, const ShaderDefines& defines = {});
+
   unsigned id() const { return handle_.id(); }
   void use() const;
 
@@ -53,6 +56,7 @@ class ProgramCache {
  public:
   const Program& get(const std::string& vertex, const std::string& fragment,
                      const ShaderDefines& defines = {});
+  const Program& get_compute(const std::string& shader, const ShaderDefines& defines = {});
 
  private:
   std::map<std::string, Program> programs_;

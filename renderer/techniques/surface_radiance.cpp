@@ -17,6 +17,7 @@ namespace {
 
 constexpr const char* kObjectVertex = "techniques/surface_radiance/object.vert.glsl";
 constexpr const char* kObjectFragment = "techniques/surface_radiance/object.frag.glsl";
+constexpr const char* kSeen = "techniques/surface_radiance/seen.frag.glsl";
 constexpr const char* kShade = "techniques/surface_radiance/shade.frag.glsl";
 
 /// Which object each pixel shows, and where.
@@ -74,6 +75,14 @@ Places draw_places(FrameContext& frame, const RadianceObjects& objects) {
   return places;
 }
 
+/// Of each object, whether any pixel shows it: hidden ones cost no look at the stencil.
+void mark_seen_objects(FrameContext& frame, const Places& places, const DrawCommands& seen) {
+  seen.bind_storage(0);
+  places.places.bind(0);
+  frame.draw_fullscreen(Framebuffer({}, &places.depth_stencil), frame.fullscreen_program(kSeen));
+  seen.written();
+}
+
 ShaderDefines shade_defines(const RadianceObjects& objects, const ParamValues& params) {
   ShaderDefines defines = radiance_codec(params).defines(params);
   if (objects.order() == LayerOrder::theta_major) defines.emplace_back("THETA_MAJOR");
@@ -82,7 +91,7 @@ ShaderDefines shade_defines(const RadianceObjects& objects, const ParamValues& p
 }
 
 void shade(FrameContext& frame, const RadianceObjects& objects, const ParamValues& params,
-           const Places& places, const Framebuffer& target) {
+           const Places& places, const DrawCommands& seen, const Framebuffer& target) {
   const Program& program = frame.fullscreen_program(kShade, shade_defines(objects, params));
   const Buffer camera = camera_block(frame.camera(), frame.width(), frame.height());
   camera.bind_uniform(0);
@@ -99,7 +108,8 @@ void shade(FrameContext& frame, const RadianceObjects& objects, const ParamValue
     program.set("sides", object.sides);
     program.set("scale", object.file.scale);
     object.file.textures->bind(program);
-    frame.draw_fullscreen(target, program, Blend::replace, {stencil_of(number++), pixels});
+    frame.draw_fullscreen(target, program, Blend::replace, {stencil_of(number), pixels, &seen, number});
+    ++number;
   }
 }
 
@@ -109,11 +119,13 @@ void render(FrameContext& frame, const ParamValues& params) {
   frame.pass("places", [&] { places = draw_places(frame, objects); });
   GlTexture image(TexelFormat::rgba32f, frame.width(), frame.height());
   const Framebuffer target({&image}, &places.depth_stencil);
+  DrawCommands seen(objects.objects().size());
+  frame.pass("seen", [&] { mark_seen_objects(frame, places, seen); });
   frame.pass("shade", [&] {
     const glm::vec3& background = frame.scene().background.color;
     target.bind();
     target.clear_color(0, background.r, background.g, background.b, 0);
-    shade(frame, objects, params, places, target);
+    shade(frame, objects, params, places, seen, target);
   });
   frame.keep_buffer("place", places.places, 4);
   frame.set_image(image);
@@ -138,7 +150,7 @@ Technique surface_radiance_technique() {
   technique.buffers = {{"place",
                         "column and row in the object's texture, the object's number from 1 on, and 1 "
                         "where its back is seen"}};
-  technique.shaders = {kObjectVertex, kObjectFragment, kShade};
+  technique.shaders = {kObjectVertex, kObjectFragment, kSeen, kShade};
   technique.bounces = [](const ParamValues& params) { return params.integer("bounces"); };
   technique.needs_bake = true;
   technique.unsupported = unsupported;
