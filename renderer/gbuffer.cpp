@@ -63,6 +63,10 @@ GBuffer make_gbuffer(const FrameCamera& camera, int width, int height, NormalFor
 }
 
 Framebuffer surface_target(const GBuffer& g) {
+  if (g.entities.id() != 0)
+    return Framebuffer(
+        {&g.albedo, &g.normal, &g.depth, &g.specular, &g.geometric_normal, &g.emission, &g.entities},
+        &g.depth_stencil);
   return Framebuffer({&g.albedo, &g.normal, &g.depth, &g.specular, &g.geometric_normal, &g.emission},
                      &g.depth_stencil);
 }
@@ -99,13 +103,18 @@ std::vector<std::string> gbuffer_defines(const GBuffer& gbuffer) {
 GBuffer draw_gbuffer(FrameContext& frame, const FrameCamera& camera, int width, int height,
                      const GBufferOptions& options) {
   GBuffer g = make_gbuffer(camera, width, height, options.normals);
-  const Framebuffer target = surface_target(g);
   ShaderDefines defines = gbuffer_defines(g);
+  if (options.entities) {
+    g.entities = GlTexture(TexelFormat::r32f, width, height);
+    defines.emplace_back("WITH_ENTITIES");
+  }
+  const Framebuffer target = surface_target(g);
   const Program& solid = frame.program("shaders/surface.vert.glsl", "shaders/surface.frag.glsl", defines);
   defines.emplace_back("CUTOUT");
   const Program& cutout = frame.program("shaders/surface.vert.glsl", "shaders/surface.frag.glsl", defines);
   target.bind();
   clear(target, frame.scene().background.color);
+  if (options.entities) target.clear_color(6, 0, 0, 0, 0);
   set_surface_state();
   g.camera_block.bind_uniform(0);
   frame.gpu_scene().draw_surfaces(solid, cutout, camera.clip_from_world, glm::dvec3(camera.position),

@@ -18,6 +18,7 @@ enum class FrustumCulling { on, off };
 struct GBufferOptions {
   NormalFormat normals = NormalFormat::octahedral16;
   FrustumCulling culling = FrustumCulling::on;
+  bool entities = false;  ///< whether GBuffer::entities is drawn
 };
 
 /// What the camera sees, after section 4.2 of the image-space radiosity thesis. All textures have the
@@ -35,9 +36,10 @@ struct GBuffer {
   GlTexture depth;     ///< R32F: eye-space z / far; 0 where there is no geometry: such pixels must be skipped
   GlTexture specular;  ///< RG16F: strength ks and Phong exponent
   GlTexture emission;  ///< RGBA32F: Ke and alpha 1; the background's colour and alpha 0 without geometry
+  GlTexture entities;  ///< R32F, if asked for: 1 + the number of the entity, 0 without geometry
   GlTexture depth_stencil;  ///< stencil 1 where there is geometry
 
-  /// Binds the textures to the units of shaders/gbuffer.glsl (0 to 5), the camera to uniform block 0 and the
+  /// Binds the textures but `entities` to the units of shaders/gbuffer.glsl (0 to 5), the camera to uniform block 0 and the
   /// tiles, if there are any, to block 2.
   void bind() const;
 

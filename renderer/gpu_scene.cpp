@@ -208,12 +208,15 @@ void GpuScene::draw_surfaces(const Program& solid, const Program& cutout, const 
   materials_.bind_storage(0);
   glVertexAttrib3f(kColor, 1, 1, 1);
   glVertexAttrib2f(kUv, 0, 0);
+  int entity = -1;
   for (const Instance& instance : instances_) {
+    ++entity;
     const glm::dmat4 clip_from_object = clip_from_world * instance.world_from_object;
     glm::dmat4 relative_from_object = instance.world_from_object;
     relative_from_object[3] -= glm::dvec4(eye, 0.0);
     for (const Program* program : {&solid, &cutout}) {
       program->use();
+      program->set("entity", entity);
       program->set("clip_from_object", glm::mat4(clip_from_object));
       program->set("relative_from_object", glm::mat4(relative_from_object));
       program->set("world_from_normal",

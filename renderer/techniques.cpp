@@ -6,6 +6,7 @@
 #include "renderer/shader_source.h"
 #include "renderer/technique.h"
 #include "renderer/techniques/ambient.h"
+#include "renderer/techniques/caustics.h"
 #include "renderer/techniques/direct.h"
 #include "renderer/techniques/images.h"
 #include "renderer/techniques/isr.h"
@@ -17,8 +18,8 @@ namespace lightbench {
 
 std::span<const Technique> techniques() {
   static const std::array table{
-      direct_technique(),  isr_technique(),         isr_oracle_technique(), surface_radiance_technique(),
-      ambient_technique(), path_tracer_technique(), images_technique(),
+      direct_technique(),   isr_technique(),     isr_oracle_technique(),  surface_radiance_technique(),
+      caustics_technique(), ambient_technique(), path_tracer_technique(), images_technique(),
   };
   return table;
 }

@@ -76,11 +76,22 @@ float Bounds::diagonal() const {
   return empty() ? 0.0f : glm::length(max - min);
 }
 
+Bounds entity_bounds(const Scene& scene, std::size_t entity) {
+  Bounds bounds;
+  const Entity& placed = scene.entities[entity];
+  for (const glm::vec3& p : scene.meshes[std::size_t(placed.mesh)].positions)
+    bounds.add(transform_point(placed.transform, p));
+  return bounds;
+}
+
 Bounds world_bounds(const Scene& scene) {
   Bounds bounds;
-  for (const Entity& entity : scene.entities)
-    for (const glm::vec3& p : scene.meshes[std::size_t(entity.mesh)].positions)
-      bounds.add(transform_point(entity.transform, p));
+  for (std::size_t i = 0; i < scene.entities.size(); ++i) {
+    const Bounds entity = entity_bounds(scene, i);
+    if (entity.empty()) continue;
+    bounds.add(entity.min);
+    bounds.add(entity.max);
+  }
   return bounds;
 }
 

@@ -212,6 +212,8 @@ struct Scene {
   std::vector<std::filesystem::path> files;  ///< everything that was read, in order
 };
 
+/// Of an entity, where it stands at Scene::time.
+Bounds entity_bounds(const Scene& scene, std::size_t entity);
 /// Of all entities, moving ones where they stand at Scene::time.
 Bounds world_bounds(const Scene& scene);
 std::size_t triangle_count(const Scene& scene);  ///< of all entities, instances counted each

@@ -56,7 +56,7 @@ class LightTracer {
         mesh_(water_mesh(*scene.water, scene.time)),
         embree_(scene),
         reach_(2 * world_bounds(scene).diagonal() + 1) {
-    for (std::size_t i = 0; i < scene.entities.size(); ++i) boxes_.push_back(box_of(i));
+    for (std::size_t i = 0; i < scene.entities.size(); ++i) boxes_.push_back(receiver_box(scene, i, light));
     const std::int64_t triangles = std::int64_t(mesh_.triangles.size());
     strata_ = std::max(1, int(std::lround(std::sqrt(double(options.rays) / double(triangles)))));
     sums_.maps.resize(boxes_.size());
@@ -85,14 +85,6 @@ class LightTracer {
   }
 
  private:
-  ReceiverBox box_of(std::size_t entity) const {
-    Bounds bounds;
-    const Entity& placed = scene_.entities[entity];
-    for (const glm::vec3& p : scene_.meshes[std::size_t(placed.mesh)].positions)
-      bounds.add(glm::vec3(placed.transform * glm::vec4(p, 1)));
-    return receiver_box(scene_, entity, flat_water_axis(*scene_.water, light_, glm::dvec3(bounds.center())));
-  }
-
   double whole_flux() const {
     double flux = 0;
     for (const glm::vec3& part : water_light(*scene_.water, mesh_, light_, false).flux)

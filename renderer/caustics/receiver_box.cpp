@@ -7,6 +7,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "renderer/caustics/water_light.h"
+
 namespace lightbench {
 namespace {
 
@@ -45,6 +47,11 @@ ReceiverBox receiver_box(const Scene& scene, std::size_t entity, const glm::dvec
   box.center = middle.x * box.u + middle.y * box.v + middle.z * box.w;
   box.size = extent + 2 * kMargin * std::max({extent.x, extent.y, extent.z});
   return box;
+}
+
+ReceiverBox receiver_box(const Scene& scene, std::size_t entity, const Light& light) {
+  const glm::dvec3 center(entity_bounds(scene, entity).center());
+  return receiver_box(scene, entity, flat_water_axis(*scene.water, light, center));
 }
 
 }  // namespace lightbench

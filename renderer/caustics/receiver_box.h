@@ -26,5 +26,7 @@ struct ReceiverBox {
 /// Around all vertices of an entity, each side a ten-thousandth of the largest wider, so that nothing lies on
 /// its border. `axis` is the unit way of the light.
 ReceiverBox receiver_box(const Scene& scene, std::size_t entity, const glm::dvec3& axis);
+/// Along the light that flat water lets through to the entity's middle.
+ReceiverBox receiver_box(const Scene& scene, std::size_t entity, const Light& light);
 
 }  // namespace lightbench

@@ -1,4 +1,5 @@
 #include "shaders/frame.glsl"
+#include "shaders/material.glsl"
 #include "shaders/octahedral.glsl"
 #ifdef CUTOUT
 #include "shaders/cutout.glsl"
@@ -15,16 +16,10 @@ layout(location = 2) out float depth;
 layout(location = 3) out vec2 specular;
 layout(location = 4) out vec2 geometric_normal;
 layout(location = 5) out vec4 emission;
-
-layout(binding = 0) uniform sampler2D diffuse_texture;
-
-struct Material {
-  vec4 diffuse_reflectance;
-  vec4 emission_specular;
-  vec4 exponent_texture;  // exponent, has a diffuse texture, unused, unused
-};
-layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
-uniform int material_index;
+#ifdef WITH_ENTITIES
+layout(location = 6) out float entity_number;  // from 1 on
+uniform int entity;
+#endif
 
 // A normal that faces away from the viewer is turned over; without a direction, the other one stands in.
 vec3 towards_viewer(vec3 n, vec3 otherwise) {
@@ -53,8 +48,7 @@ void main() {
   Material material = materials[material_index];
   // Derivatives and texture lookups first: they need all pixels of a block to take part.
   vec3 face_normal = cross(dFdx(relative_position), dFdy(relative_position));
-  vec3 diffuse = material.diffuse_reflectance.rgb * surface_color;
-  if (material.exponent_texture.y != 0.0) diffuse *= texture(diffuse_texture, surface_uv).rgb;
+  vec3 diffuse = surface_diffuse(surface_uv, surface_color);
 #ifdef CUTOUT
   if (is_cut_out(surface_uv)) discard;
 #endif
@@ -76,4 +70,7 @@ void main() {
   depth = kept_depth;
   specular = vec2(material.emission_specular.a, material.exponent_texture.x);
   emission = vec4(material.emission_specular.rgb, 1.0);
+#ifdef WITH_ENTITIES
+  entity_number = float(entity + 1);
+#endif
 }

@@ -1,0 +1,66 @@
+#include "renderer/caustics/caustics_params.h"
+
+#include "renderer/direct_light.h"
+
+namespace lightbench {
+
+std::vector<ParamSpec> caustics_params() {
+  std::vector<ParamSpec> rows{
+      choice_param(
+          "method", {"level_map", "hit"},
+          "level_map: the water's triangles are cut by planes across the light, and a plane lights the "
+          "texels that are nearest to it; hit: each triangle is drawn once, where its corners' light lands"),
+      integer_param("slices", 100, 1, kMaxSlices,
+                    "a receiver's box is cut into so many along the light, by one plane more"),
+      integer_param("map_size", 512, 16, 8192, "texels along an edge of a receiver's maps"),
+      choice_param(
+          "slicing", {"smart", "smart_read_back", "uniform"},
+          "which planes are drawn: smart: those that the receiver lies on, found on the GPU; "
+          "smart_read_back: the same, found from the position map read back, as in the thesis; uniform: "
+          "all. The picture is the same"),
+      choice_param(
+          "plane_test", {"equal", "discard"},
+          "how a texel's plane is told: equal: by a depth buffer that holds the planes; discard: in the "
+          "shader, as in the thesis. The picture is the same"),
+      choice_param(
+          "straddling", {"split", "drop"},
+          "hit: what is done with triangles whose light falls on several surfaces: split: they are cut by "
+          "planes; drop: they are left out"),
+      integer_param("steps", 16, 1, 1024, "hit: along a ray, before ten bisections"),
+      number_param(
+          "least_area", 1.0 / 256, 0, 16,
+          "of the image of a triangle of the water, in texels: where light folds it goes to 0, and its "
+          "brightness beyond all bounds"),
+      boolean_param("fresnel", false, "whether the water reflects a part of the light"),
+      boolean_param("culling", true,
+                    "leave out triangles of the water whose light misses the receiver's box"),
+      choice_param(
+          "color", {"surface", "map"},
+          "surface: each pixel's own colour is lit; map: that of the receiver's diffuse map, as in the "
+          "thesis"),
+  };
+  for (ParamSpec& row : shadow_params()) rows.push_back(std::move(row));
+  return rows;
+}
+
+CausticsOptions caustics_options(const ParamValues& params) {
+  CausticsOptions options;
+  options.map_size = params.integer("map_size");
+  options.fresnel = params.boolean("fresnel");
+  options.culling = params.boolean("culling") ? VolumeCulling::on : VolumeCulling::off;
+  options.color = params.text("color") == "map" ? ReceiverColor::map : ReceiverColor::surface;
+  options.level_map.slices = params.integer("slices");
+  options.level_map.test = params.text("plane_test") == "equal" ? PlaneTest::equal : PlaneTest::discard;
+  const std::string& slicing = params.text("slicing");
+  options.level_map.slicing = slicing == "smart"     ? Slicing::smart
+                              : slicing == "uniform" ? Slicing::uniform
+                                                     : Slicing::smart_read_back;
+  options.least_area = params.number("least_area");
+  options.hit.slices = options.level_map.slices;
+  options.hit.steps = params.integer("steps");
+  options.hit.straddling = params.text("straddling") == "split" ? Straddling::split : Straddling::drop;
+  options.method = params.text("method") == "hit" ? CausticsMethod::hit : CausticsMethod::level_map;
+  return options;
+}
+
+}  // namespace lightbench

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "base/params.h"
+#include "renderer/caustics/hit.h"
+#include "renderer/caustics/level_map.h"
+#include "renderer/caustics/map_rays.h"
+
+namespace lightbench {
+
+enum class CausticsMethod { level_map, hit };
+
+struct CausticsOptions {
+  CausticsMethod method = CausticsMethod::level_map;
+  int map_size = 512;  ///< texels along the edge of a receiver's maps
+  bool fresnel = false;
+  VolumeCulling culling = VolumeCulling::on;
+  ReceiverColor color = ReceiverColor::surface;
+  double least_area = 1.0 / 256;  ///< texels
+  LevelMapOptions level_map;
+  HitOptions hit;
+};
+
+/// The rows of technique `caustics`, and the options made from their values.
+std::vector<ParamSpec> caustics_params();
+CausticsOptions caustics_options(const ParamValues& params);
+
+}  // namespace lightbench

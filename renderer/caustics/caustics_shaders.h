@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+/// The shader files of technique `caustics`.
+namespace lightbench {
+
+inline constexpr const char* kSurfaceVertex = "shaders/surface.vert.glsl";
+inline constexpr const char* kReceiverFragment = "techniques/caustics/receiver.frag.glsl";
+inline constexpr const char* kPlaneDepth = "techniques/caustics/plane_depth.frag.glsl";
+inline constexpr const char* kVolumeVertex = "techniques/caustics/volume.vert.glsl";
+inline constexpr const char* kVolumeFragment = "techniques/caustics/volume.frag.glsl";
+inline constexpr const char* kUsedPlanes = "techniques/caustics/used_planes.comp.glsl";
+inline constexpr const char* kListPlanes = "techniques/caustics/list_planes.comp.glsl";
+inline constexpr const char* kHits = "techniques/caustics/hits.comp.glsl";
+inline constexpr const char* kBlocks = "techniques/caustics/blocks.comp.glsl";
+inline constexpr const char* kJudge = "techniques/caustics/judge.comp.glsl";
+inline constexpr const char* kCountStraddling = "techniques/caustics/count_straddling.comp.glsl";
+inline constexpr const char* kListStraddling = "techniques/caustics/list_straddling.comp.glsl";
+inline constexpr const char* kLandingVertex = "techniques/caustics/landing.vert.glsl";
+inline constexpr const char* kLandingFragment = "techniques/caustics/landing.frag.glsl";
+inline constexpr const char* kUnlit = "techniques/caustics/unlit.frag.glsl";
+inline constexpr const char* kCast = "techniques/caustics/cast.frag.glsl";
+
+inline constexpr std::array kCausticsShaders{kSurfaceVertex,   kReceiverFragment,
+                                             kPlaneDepth,      kVolumeVertex,
+                                             kVolumeFragment,  kUsedPlanes,
+                                             kListPlanes,      kHits,
+                                             kBlocks,          kJudge,
+                                             kCountStraddling, kListStraddling,
+                                             kLandingVertex,   kLandingFragment,
+                                             kUnlit,           kCast};
+
+}  // namespace lightbench

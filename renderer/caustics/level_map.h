@@ -1,0 +1,42 @@
+#pragma once
+
+#include "renderer/caustics/receiver_map.h"
+#include "renderer/caustics/volumes.h"
+
+namespace lightbench {
+
+class FrameContext;
+
+/// How a fragment of a plane finds out whether its texel belongs to it.
+enum class PlaneTest {
+  equal,    ///< by a depth buffer that holds the planes
+  discard,  ///< in the shader, as in the thesis
+};
+
+/// Which planes the volumes are cut by.
+enum class Slicing {
+  smart,            ///< those that a texel of the position map belongs to, found on the GPU
+  smart_read_back,  ///< the same, found from the position map read back, as in the thesis
+  uniform,          ///< all
+};
+
+struct LevelMapOptions {
+  int slices = 100;  ///< the box is cut into so many, by one plane more
+  PlaneTest test = PlaneTest::equal;
+  Slicing slicing = Slicing::smart;
+};
+inline constexpr int kMaxSlices = 8190;  ///< what plane_depth of techniques/caustics/planes.glsl tells apart
+
+/// RGBA32F, as large as the position map: the flux that its texels take for each unit of area across the
+/// light's axis, linear RGB; a counts the volumes whose area was raised to the least.
+GlTexture draw_level_map(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes,
+                         const LevelMapOptions& options);
+
+/// Adds those of the volumes that a list names to such a map, cut by all planes that the receiver lies on.
+void add_level_map(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int slices,
+                   const VolumeList& list, const GlTexture& caustics);
+
+/// The planes that texels of the position map belong to, in order; reads it back.
+std::vector<std::uint32_t> used_planes(const ReceiverMap& map, int slices);
+
+}  // namespace lightbench

@@ -1,0 +1,86 @@
+#include "renderer/caustics/receiver_map.h"
+
+#include <algorithm>
+
+#include <glad/gl.h>
+#include <glm/geometric.hpp>
+
+#include "renderer/caustics/caustics_shaders.h"
+#include "renderer/frame_context.h"
+#include "renderer/gpu_scene.h"
+
+namespace lightbench {
+namespace {
+
+/// A view along the box's axis that holds everything above it, too; nearer to the light is greater, as
+/// elsewhere.
+glm::dmat4 clip_from_world(const ReceiverBox& box, const Bounds& scene) {
+  double over = 0;  // how far the scene reaches above the box
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 point((corner & 1) != 0 ? scene.max.x : scene.min.x,
+                           (corner & 2) != 0 ? scene.max.y : scene.min.y,
+                           (corner & 4) != 0 ? scene.max.z : scene.min.z);
+    over = std::max(over, -box.to_map(point).z);
+  }
+  const double range = over * 1.001 + 1;
+  const auto row = [&](const glm::dvec3& axis, double offset) {
+    return glm::dvec4(axis, offset - glm::dot(axis, box.center));
+  };
+  // x and y: 2 p - 1, which is 0 at the centre; z: (1 - depth) / range.
+  return glm::transpose(glm::dmat4(row(2.0 / box.size.x * box.u, 0), row(2.0 / box.size.z * box.w, 0),
+                                   row(1 / (range * box.size.y) * box.v, 0.5 / range),
+                                   glm::dvec4(0, 0, 0, 1)));
+}
+
+double highest_crest(const Water& water) {
+  double level = double(water.height);
+  for (const Wave& wave : water.waves) level += double(wave.amplitude);
+  return level;
+}
+
+}  // namespace
+
+ReceiverMap draw_receiver_map(FrameContext& frame, const ReceiverBox& box, std::size_t receiver, int size,
+                              ReceiverColor color) {
+  const bool colored = color == ReceiverColor::map;
+  ReceiverMap map{box, receiver, GlTexture(TexelFormat::rg32f, size, size), {}};
+  if (colored) map.diffuse = GlTexture(TexelFormat::rgba16f, size, size);
+  const GlTexture depth(TexelFormat::depth32f, size, size);
+  const Framebuffer target =
+      colored ? Framebuffer({&map.places, &map.diffuse}, &depth) : Framebuffer({&map.places}, &depth);
+  target.bind();
+  target.clear_color(0, 2, 0, 0, 0);
+  if (colored) target.clear_color(1, 0, 0, 0, 0);
+  target.clear_depth(0);
+  set_surface_state();
+  glDisable(GL_STENCIL_TEST);
+  ShaderDefines defines;
+  if (colored) defines.emplace_back("WITH_DIFFUSE");
+  const Program& solid = frame.program(kSurfaceVertex, kReceiverFragment, defines);
+  defines.emplace_back("CUTOUT");
+  const Program& cutout = frame.program(kSurfaceVertex, kReceiverFragment, defines);
+  // Positions come relative to the middle of the box, where its depth is a half.
+  const glm::vec4 depth_row(-box.v / box.size.y, 0.5);
+  const auto water_top = float(highest_crest(*frame.scene().water) - box.center.y);
+  for (const Program* program : {&solid, &cutout}) {
+    program->set("depth_in_box", depth_row);
+    program->set("water_top", water_top);
+    program->set("receiver", int(receiver));
+  }
+  frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(box, frame.gpu_scene().bounds()), box.center,
+                                  FrustumCulling::on);
+  return map;
+}
+
+GlTexture draw_plane_depths(FrameContext& frame, const ReceiverMap& map, int slices) {
+  GlTexture depth(TexelFormat::depth32f, map.places.width(), map.places.height());
+  const Program& program = frame.fullscreen_program(kPlaneDepth);
+  program.set("slices", float(slices));
+  map.places.bind(0);
+  DrawOn where;
+  where.writes_depth = true;
+  frame.draw_fullscreen(Framebuffer({}, &depth), program, Blend::replace, where);
+  return depth;
+}
+
+}  // namespace lightbench

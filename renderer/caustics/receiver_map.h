@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+
+#include "renderer/caustics/receiver_box.h"
+#include "renderer/gl_objects.h"
+
+namespace lightbench {
+
+class FrameContext;
+
+/// Which colour of a receiver is lit.
+enum class ReceiverColor {
+  surface,  ///< its own, where it is seen
+  map,      ///< that of its diffuse map
+};
+
+/// What a light shows of a receiver along the axis of its box: the position and the diffuse map of the water
+/// caustics thesis (4.2.2), drawn at once. Texel x, y is at x along u and y along w of the box.
+struct ReceiverMap {
+  ReceiverBox box;
+  std::size_t receiver = 0;  ///< which entity
+  /// RG32F: the depth in the box of the first surface below the water, 0 to 1 (less for what stands over the
+  /// box, 2 where there is none), and 1 where that is the receiver's, else 0. So others shade it.
+  GlTexture places;
+  GlTexture diffuse;  ///< RGBA16F: its linear colour, if that is asked for
+};
+
+ReceiverMap draw_receiver_map(FrameContext& frame, const ReceiverBox& box, std::size_t receiver, int size,
+                              ReceiverColor color);
+
+/// A depth buffer of the plane that each texel belongs to, of `slices` + 1, as plane_depth of
+/// techniques/caustics/planes.glsl has it; 0 where the receiver is not seen.
+GlTexture draw_plane_depths(FrameContext& frame, const ReceiverMap& map, int slices);
+
+}  // namespace lightbench

@@ -1,0 +1,31 @@
+// The position and the diffuse map of a receiver: of all that stands in the water, what the light meets first.
+#ifdef CUTOUT
+#include "shaders/cutout.glsl"
+#endif
+
+layout(location = 0) in vec3 relative_position;
+layout(location = 1) in vec3 world_normal;
+layout(location = 2) in vec2 surface_uv;
+layout(location = 3) in vec3 surface_color;
+
+layout(location = 0) out vec2 place;
+#ifdef WITH_DIFFUSE
+#include "shaders/material.glsl"
+layout(location = 1) out vec4 diffuse;
+#endif
+
+uniform vec4 depth_in_box;
+uniform float water_top;
+uniform int entity;
+uniform int receiver;
+
+void main() {
+#ifdef WITH_DIFFUSE
+  diffuse = vec4(surface_diffuse(surface_uv, surface_color), 1.0);
+#endif
+#ifdef CUTOUT
+  if (is_cut_out(surface_uv)) discard;
+#endif
+  if (relative_position.y > water_top) discard;
+  place = vec2(dot(depth_in_box, vec4(relative_position, 1.0)), entity == receiver ? 1.0 : 0.0);
+}

@@ -1,0 +1,25 @@
+// Illumination volumes, cut by a plane of the receiver's box.
+#include "techniques/caustics/planes.glsl"
+
+layout(location = 0) in vec4 ray;      // place in the map at z = 0, and what each unit of z adds
+layout(location = 1) in vec2 ray_way;  // the same of the way through the water
+
+uniform float slices;
+#ifdef LISTED_PLANES
+layout(std430, binding = 1) readonly buffer Planes { uint planes[]; };
+#endif
+
+layout(location = 0) out float way;
+layout(location = 1) flat out float depth;
+layout(location = 2) flat out int plane;
+
+void main() {
+#ifdef LISTED_PLANES
+  plane = int(planes[gl_InstanceID]);
+#else
+  plane = gl_InstanceID;
+#endif
+  depth = float(plane) / slices;
+  way = ray_way.x + depth * ray_way.y;
+  gl_Position = vec4(2.0 * (ray.xy + depth * ray.zw) - 1.0, plane_depth(plane), 1.0);
+}

@@ -1,0 +1,68 @@
+#include "renderer/caustics/hit.h"
+
+#include <gtest/gtest.h>
+
+#include "renderer/caustics/light_tracer.h"
+#include "scene/water.h"
+#include "tests/renderer/caustics/flux_maps.h"
+#include "tests/renderer/caustics/gl_frame.h"
+#include "tests/renderer/caustics/water_scenes.h"
+
+namespace lightbench {
+namespace {
+
+using namespace test;
+
+Image hit_map(const Scene& scene, std::size_t entity, Straddling straddling = Straddling::split,
+              int size = 128) {
+  GlFrame frame(scene);
+  const ReceiverBox box = receiver_box(scene, entity, scene.lights[0]);
+  const Mesh mesh = water_mesh(*scene.water, scene.time);
+  const MapRays rays = map_rays(mesh, water_light(*scene.water, mesh, scene.lights[0], false), box);
+  const ReceiverMap map = draw_receiver_map(frame.context(), box, entity, size, ReceiverColor::surface);
+  const Volumes volumes(rays, map, scene.water->absorption, 1.0 / 256);
+  HitOptions options;
+  options.straddling = straddling;
+  return read_back(draw_hits(frame.context(), map, volumes, options), 4);
+}
+
+FluxImages traced(const Scene& scene, std::size_t entity) {
+  LightTraceOptions options;
+  options.rays = 4'000'000;
+  options.map_size = 512;
+  return comparable(trace_light(scene, scene.lights[0], options).maps[entity]);
+}
+
+TEST(GlHit, ShowsWhatTheLightTracerShows) {
+  const Scene scene = sphere_in_waves();
+  for (const std::size_t entity : {0U, 1U}) {
+    const FluxImages expected = traced(scene, entity), drawn = comparable(hit_map(scene, entity, Straddling::split, 512));
+    EXPECT_GT(correlation(drawn, expected), 0.95) << entity;
+    EXPECT_NEAR(mean(drawn) / mean(expected), 1, 0.02) << entity;
+  }
+}
+
+TEST(GlHit, WithoutThoseThatStraddleLightIsMissing) {
+  const Scene scene = sphere_in_waves();
+  const double all = mean(comparable(hit_map(scene, 1))),
+               dropped = mean(comparable(hit_map(scene, 1, Straddling::drop)));
+  EXPECT_LT(dropped, 0.98 * all);
+  EXPECT_GT(dropped, 0.5 * all);
+}
+
+TEST(GlHit, ReceiversSmallerThanAnImageOfATriangleAreLit) {
+  Scene scene = pool_scene({0, -1, 0});
+  // In the middle of one of the triangles of half a unit.
+  add_box(scene, "pebble", {{0.1f, 0, 0.3f}, {0.2f, 0.1f, 0.4f}});
+  EXPECT_NEAR(double(hit_map(scene, 1).pixel(64, 64)[0]), 1, 1e-3);
+}
+
+TEST(GlHit, NothingLandsWhereAllLightPassesBy) {
+  Scene scene = pool_scene({0, -1, 0});
+  add_box(scene, "stone", {{3, 0, 3}, {3.5f, 0.5f, 3.5f}});
+  const Image map = hit_map(scene, 1);
+  for (const float value : map.data) ASSERT_EQ(value, 0);
+}
+
+}  // namespace
+}  // namespace lightbench

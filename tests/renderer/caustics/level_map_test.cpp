@@ -1,0 +1,110 @@
+#include "renderer/caustics/level_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "renderer/caustics/light_tracer.h"
+#include "scene/water.h"
+#include "tests/renderer/caustics/flux_maps.h"
+#include "tests/renderer/caustics/gl_frame.h"
+#include "tests/renderer/caustics/water_scenes.h"
+
+namespace lightbench {
+namespace {
+
+using namespace test;
+
+/// Of the first light on an entity.
+Image level_map(const Scene& scene, std::size_t entity, const LevelMapOptions& options = {}, int size = 128,
+                VolumeCulling culling = VolumeCulling::on) {
+  GlFrame frame(scene);
+  const Light& light = scene.lights[0];
+  const ReceiverBox box = receiver_box(scene, entity, light);
+  const Mesh mesh = water_mesh(*scene.water, scene.time);
+  const MapRays rays = map_rays(mesh, water_light(*scene.water, mesh, light, false), box, culling);
+  const ReceiverMap map = draw_receiver_map(frame.context(), box, entity, size, ReceiverColor::surface);
+  const Volumes volumes(rays, map, scene.water->absorption, 1.0 / 256);
+  return read_back(draw_level_map(frame.context(), map, volumes, options), 4);
+}
+
+TEST(GlLevelMap, FlatWaterBrightensByTheCosines) {
+  Scene scene = pool_scene({3, -4, 0});
+  add_box(scene, "stone", {{-0.5f, 0, -0.5f}, {0.5f, 0.01f, 0.5f}});
+  scene.water->absorption = {0, 0.1f, 0.5f};
+  const Image map = level_map(scene, 1);
+  const double sine = 0.6 / double(scene.water->ior), cosine = std::sqrt(1 - sine * sine);
+  const double way = 1.99 / cosine;
+  const auto middle = map.pixel(64, 64);
+  // A hundred slices of a box as high as the stone is wide times the light's sine: half of one off at most.
+  const double off = 0.5 * sine / 100;
+  EXPECT_NEAR(double(middle[0]), 0.8 / cosine, 1e-4);
+  EXPECT_NEAR(double(middle[1]), 0.8 / cosine * std::exp(-0.1 * way), 0.1 * off);
+  EXPECT_NEAR(double(middle[2]), 0.8 / cosine * std::exp(-0.5 * way), 0.5 * off);
+  EXPECT_EQ(middle[3], 0) << "nothing folds";
+}
+
+TEST(GlLevelMap, APointLightsAsItsDistance) {
+  Scene scene = pool_scene({0, -1, 0});
+  scene.lights = {point_light({0, 6, 0})};
+  scene.lights[0].attenuation = {Attenuation::Kind::inverse_square};
+  scene.water->grid = {71, 71};
+  add_box(scene, "stone", {{-0.1f, 0, -0.1f}, {0.1f, 0.01f, 0.1f}});
+  const Image map = level_map(scene, 1);
+  // Straight down, as from an apparent distance of 4 + 1.99 / ior.
+  const double distance = 4 + 1.99 / double(scene.water->ior);
+  EXPECT_NEAR(double(map.pixel(64, 64)[0]), 1 / (distance * distance), 2e-4);
+}
+
+TEST(GlLevelMap, AllWaysGiveTheSameBits) {
+  const Scene scene = sphere_in_waves();
+  LevelMapOptions plain;
+  plain.test = PlaneTest::discard;
+  plain.slicing = Slicing::uniform;
+  const Image expected = level_map(scene, 1, plain, 128, VolumeCulling::off);
+  EXPECT_GT(*std::max_element(expected.data.begin(), expected.data.end()), 1);
+  for (const PlaneTest test : {PlaneTest::equal, PlaneTest::discard})
+    for (const Slicing slicing : {Slicing::smart, Slicing::smart_read_back, Slicing::uniform}) {
+      LevelMapOptions options;
+      options.test = test;
+      options.slicing = slicing;
+      EXPECT_EQ(level_map(scene, 1, options), expected) << int(test) << " " << int(slicing);
+    }
+}
+
+TEST(GlLevelMap, ShowsWhatTheLightTracerShows) {
+  const Scene scene = sphere_in_waves();
+  LightTraceOptions options;
+  options.rays = 4'000'000;
+  options.map_size = 512;
+  const LightTrace trace = trace_light(scene, scene.lights[0], options);
+  for (const std::size_t entity : {0U, 1U}) {
+    const FluxImages traced = comparable(trace.maps[entity]);
+    const FluxImages drawn = comparable(level_map(scene, entity, {}, 512));
+    EXPECT_GT(correlation(drawn, traced), 0.95) << entity;
+    EXPECT_NEAR(mean(drawn) / mean(traced), 1, 0.02) << entity;
+  }
+}
+
+TEST(GlLevelMap, WhatStandsAboveShadesWhatIsBelow) {
+  Scene scene = pool_scene({0, -1, 0});
+  add_box(scene, "stone", {{-0.5f, 0, -0.5f}, {0.5f, 0.1f, 0.5f}});
+  add_box(scene, "lid", {{-0.5f, 1, -0.5f}, {0, 1.1f, 0.5f}});
+  const Image map = level_map(scene, 1);
+  // u runs along x or against it: one half is dark.
+  const float left = map.pixel(32, 64)[0], right = map.pixel(96, 64)[0], top = map.pixel(64, 32)[0],
+              bottom = map.pixel(64, 96)[0];
+  EXPECT_EQ(std::min({left, right, top, bottom}), 0);
+  EXPECT_NEAR(std::max({left, right, top, bottom}), 1, 1e-4);
+}
+
+TEST(GlLevelMap, NothingIsLitAboveTheWater) {
+  Scene scene = pool_scene({0, -1, 0});
+  add_box(scene, "pillar", {{-0.5f, 2.1f, -0.5f}, {0.5f, 3, 0.5f}});
+  const Image map = level_map(scene, 1);
+  EXPECT_EQ(*std::max_element(map.data.begin(), map.data.end()), 0);
+}
+
+}  // namespace
+}  // namespace lightbench
