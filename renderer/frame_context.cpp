@@ -93,12 +93,12 @@ void FrameContext::draw_fullscreen(const Framebuffer& target, const Program& pro
     glDisable(GL_DEPTH_TEST);
   }
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (blend == Blend::add) {
+  if (blend == Blend::replace) {
+    glDisable(GL_BLEND);
+  } else {
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_ONE);
-  } else {
-    glDisable(GL_BLEND);
+    glBlendFunc(blend == Blend::add ? GL_ONE : GL_ONE_MINUS_DST_ALPHA, GL_ONE);
   }
   glDisable(GL_SCISSOR_TEST);
   if (where.pixels) {

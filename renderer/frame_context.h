@@ -19,7 +19,11 @@ class GpuScene;
 struct ShadowTextures;
 class RadianceCache;
 
-enum class Blend { replace, add };
+enum class Blend {
+  replace,
+  add,
+  under,  ///< behind what is there, as far as its alpha leaves room
+};
 /// Where a full-screen pass draws.
 struct DrawOn {
   std::optional<int> stencil;              ///< only where the target's stencil has this value

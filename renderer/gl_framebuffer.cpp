@@ -73,7 +73,7 @@ Framebuffer::Framebuffer(std::initializer_list<const GlTexture*> colors, const G
   require_complete(id());
 }
 
-Framebuffer Framebuffer::layer(const GlTexture& array, int layer) {
+Framebuffer Framebuffer::layer(const GlTexture& array, int layer, const GlTexture* depth) {
   Framebuffer result;
   result.handle_ = GlHandle<delete_framebuffer>(make_framebuffer());
   result.width_ = array.width();
@@ -82,6 +82,7 @@ Framebuffer Framebuffer::layer(const GlTexture& array, int layer) {
   const GLenum attachment = is_depth ? depth_attachment(array) : GLenum{GL_COLOR_ATTACHMENT0};
   glNamedFramebufferTextureLayer(result.id(), attachment, array.id(), 0, layer);
   glNamedFramebufferDrawBuffer(result.id(), is_depth ? GL_NONE : GL_COLOR_ATTACHMENT0);
+  if (depth) glNamedFramebufferTexture(result.id(), depth_attachment(*depth), depth->id(), 0);
   require_complete(result.id());
   return result;
 }

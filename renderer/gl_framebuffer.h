@@ -28,8 +28,8 @@ class Framebuffer {
  public:
   Framebuffer() = default;
   explicit Framebuffer(std::initializer_list<const GlTexture*> colors, const GlTexture* depth = nullptr);
-  /// One layer of an array, as depth or as colour.
-  static Framebuffer layer(const GlTexture& array, int layer);
+  /// One layer of an array, as depth or as colour; then `depth` may be its depth.
+  static Framebuffer layer(const GlTexture& array, int layer, const GlTexture* depth = nullptr);
 
   unsigned id() const { return handle_.id(); }
   int width() const { return width_; }

@@ -7,9 +7,10 @@ namespace lightbench {
 std::vector<ParamSpec> caustics_params() {
   std::vector<ParamSpec> rows{
       choice_param(
-          "method", {"level_map", "hit"},
+          "method", {"level_map", "hit", "volumetric"},
           "level_map: the water's triangles are cut by planes across the light, and a plane lights the "
-          "texels that are nearest to it; hit: each triangle is drawn once, where its corners' light lands"),
+          "texels that are nearest to it; hit: each triangle is drawn once, where its corners' light lands; "
+          "volumetric: the method before the thesis's, with an image of the receiver for each plane"),
       integer_param("slices", 100, 1, kMaxSlices,
                     "a receiver's box is cut into so many along the light, by one plane more"),
       integer_param("map_size", 512, 16, 8192, "texels along an edge of a receiver's maps"),
@@ -26,6 +27,10 @@ std::vector<ParamSpec> caustics_params() {
           "straddling", {"split", "drop"},
           "hit: what is done with triangles whose light falls on several surfaces: split: they are cut by "
           "planes; drop: they are left out"),
+      choice_param("slice_images", {"whole", "clusters"},
+                   "volumetric: what is drawn for each plane: whole: all; clusters: clusters of at most 1024 "
+                   "triangles "
+                   "that it may hold"),
       integer_param("steps", 16, 1, 1024, "hit: along a ray, before ten bisections"),
       number_param(
           "least_area", 1.0 / 256, 0, 16,
@@ -59,7 +64,13 @@ CausticsOptions caustics_options(const ParamValues& params) {
   options.hit.slices = options.level_map.slices;
   options.hit.steps = params.integer("steps");
   options.hit.straddling = params.text("straddling") == "split" ? Straddling::split : Straddling::drop;
-  options.method = params.text("method") == "hit" ? CausticsMethod::hit : CausticsMethod::level_map;
+  options.volumetric.slices = options.level_map.slices;
+  options.volumetric.drawing =
+      params.text("slice_images") == "whole" ? SliceDrawing::whole : SliceDrawing::clusters;
+  const std::string& method = params.text("method");
+  options.method = method == "level_map" ? CausticsMethod::level_map
+                   : method == "hit"     ? CausticsMethod::hit
+                                         : CausticsMethod::volumetric;
   return options;
 }
 

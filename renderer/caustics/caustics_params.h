@@ -6,10 +6,11 @@
 #include "renderer/caustics/hit.h"
 #include "renderer/caustics/level_map.h"
 #include "renderer/caustics/map_rays.h"
+#include "renderer/caustics/volumetric.h"
 
 namespace lightbench {
 
-enum class CausticsMethod { level_map, hit };
+enum class CausticsMethod { level_map, hit, volumetric };
 
 struct CausticsOptions {
   CausticsMethod method = CausticsMethod::level_map;
@@ -20,6 +21,7 @@ struct CausticsOptions {
   double least_area = 1.0 / 256;  ///< texels
   LevelMapOptions level_map;
   HitOptions hit;
+  VolumetricOptions volumetric;
 };
 
 /// The rows of technique `caustics`, and the options made from their values.

@@ -19,16 +19,26 @@ inline constexpr const char* kCountStraddling = "techniques/caustics/count_strad
 inline constexpr const char* kListStraddling = "techniques/caustics/list_straddling.comp.glsl";
 inline constexpr const char* kLandingVertex = "techniques/caustics/landing.vert.glsl";
 inline constexpr const char* kLandingFragment = "techniques/caustics/landing.frag.glsl";
+inline constexpr const char* kCombine = "techniques/caustics/combine.frag.glsl";
 inline constexpr const char* kUnlit = "techniques/caustics/unlit.frag.glsl";
 inline constexpr const char* kCast = "techniques/caustics/cast.frag.glsl";
 
-inline constexpr std::array kCausticsShaders{kSurfaceVertex,   kReceiverFragment,
-                                             kPlaneDepth,      kVolumeVertex,
-                                             kVolumeFragment,  kUsedPlanes,
-                                             kListPlanes,      kHits,
-                                             kBlocks,          kJudge,
-                                             kCountStraddling, kListStraddling,
-                                             kLandingVertex,   kLandingFragment,
-                                             kUnlit,           kCast};
+inline constexpr std::array kCausticsShaders{kSurfaceVertex,
+                                             kReceiverFragment,
+                                             kPlaneDepth,
+                                             kVolumeVertex,
+                                             kVolumeFragment,
+                                             kUsedPlanes,
+                                             kListPlanes,
+                                             kHits,
+                                             kBlocks,
+                                             kJudge,
+                                             kCountStraddling,
+                                             kListStraddling,
+                                             kLandingVertex,
+                                             kLandingFragment,
+                                             kCombine,
+                                             kUnlit,
+                                             kCast};
 
 }  // namespace lightbench

@@ -122,6 +122,17 @@ GlTexture draw_level_map(FrameContext& frame, const ReceiverMap& map, const Volu
   return caustics;
 }
 
+void draw_plane(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int plane, int slices,
+                const Framebuffer& target) {
+  const Program& program = frame.program(kVolumeVertex, kVolumeFragment, {"ONE_PLANE"});
+  target.bind();
+  set_volume_state(PlaneTest::discard);
+  use(program, map, volumes, slices);
+  program.set("one_plane", plane);
+  glBindVertexArray(volumes.vertices.id());
+  draw_instances(volumes, 1);
+}
+
 void add_level_map(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int slices,
                    const VolumeList& list, const GlTexture& caustics) {
   const GlTexture plane_depths = draw_plane_depths(frame, map, slices);

@@ -32,6 +32,10 @@ inline constexpr int kMaxSlices = 8190;  ///< what plane_depth of techniques/cau
 GlTexture draw_level_map(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes,
                          const LevelMapOptions& options);
 
+/// Adds what all volumes send through one plane to a target of RGBA32F, whatever stands there.
+void draw_plane(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int plane, int slices,
+                const Framebuffer& target);
+
 /// Adds those of the volumes that a list names to such a map, cut by all planes that the receiver lies on.
 void add_level_map(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int slices,
                    const VolumeList& list, const GlTexture& caustics);

@@ -12,23 +12,27 @@
 namespace lightbench {
 namespace {
 
-/// A view along the box's axis that holds everything above it, too; nearer to the light is greater, as
-/// elsewhere.
-glm::dmat4 clip_from_world(const ReceiverBox& box, const Bounds& scene) {
-  double over = 0;  // how far the scene reaches above the box
+/// How far the scene reaches over a box, in its depths.
+double reach_over(const ReceiverBox& box, const Bounds& scene) {
+  double over = 0;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 point((corner & 1) != 0 ? scene.max.x : scene.min.x,
                            (corner & 2) != 0 ? scene.max.y : scene.min.y,
                            (corner & 4) != 0 ? scene.max.z : scene.min.z);
     over = std::max(over, -box.to_map(point).z);
   }
-  const double range = over * 1.001 + 1;
+  return 1.001 * over;
+}
+
+/// A view along the box's axis between two depths in it; nearer to the light is greater, as elsewhere.
+glm::dmat4 clip_from_world(const ReceiverBox& box, double near, double far) {
+  const double range = far - near;
   const auto row = [&](const glm::dvec3& axis, double offset) {
     return glm::dvec4(axis, offset - glm::dot(axis, box.center));
   };
-  // x and y: 2 p - 1, which is 0 at the centre; z: (1 - depth) / range.
+  // x and y: 2 p - 1, which is 0 at the centre; z: (far - depth) / range, the centre's depth being a half.
   return glm::transpose(glm::dmat4(row(2.0 / box.size.x * box.u, 0), row(2.0 / box.size.z * box.w, 0),
-                                   row(1 / (range * box.size.y) * box.v, 0.5 / range),
+                                   row(1 / (range * box.size.y) * box.v, (far - 0.5) / range),
                                    glm::dvec4(0, 0, 0, 1)));
 }
 
@@ -36,6 +40,31 @@ double highest_crest(const Water& water) {
   double level = double(water.height);
   for (const Wave& wave : water.waves) level += double(wave.amplitude);
   return level;
+}
+
+struct ReceiverPrograms {
+  const Program& solid;
+  const Program& cutout;
+};
+
+ReceiverPrograms receiver_programs(FrameContext& frame, const ReceiverMap& map, ShaderDefines defines) {
+  const Program& solid = frame.program(kSurfaceVertex, kReceiverFragment, defines);
+  defines.emplace_back("CUTOUT");
+  const Program& cutout = frame.program(kSurfaceVertex, kReceiverFragment, defines);
+  // Positions come relative to the middle of the box, where its depth is a half.
+  const glm::vec4 depth_row(-map.box.v / map.box.size.y, 0.5);
+  const auto water_top = float(highest_crest(*frame.scene().water) - map.box.center.y);
+  for (const Program* program : {&solid, &cutout}) {
+    program->set("depth_in_box", depth_row);
+    program->set("water_top", water_top);
+    program->set("receiver", int(map.receiver));
+  }
+  return {solid, cutout};
+}
+
+void set_map_state() {
+  set_surface_state();
+  glDisable(GL_STENCIL_TEST);
 }
 
 }  // namespace
@@ -52,24 +81,35 @@ ReceiverMap draw_receiver_map(FrameContext& frame, const ReceiverBox& box, std::
   target.clear_color(0, 2, 0, 0, 0);
   if (colored) target.clear_color(1, 0, 0, 0, 0);
   target.clear_depth(0);
-  set_surface_state();
-  glDisable(GL_STENCIL_TEST);
-  ShaderDefines defines;
-  if (colored) defines.emplace_back("WITH_DIFFUSE");
-  const Program& solid = frame.program(kSurfaceVertex, kReceiverFragment, defines);
-  defines.emplace_back("CUTOUT");
-  const Program& cutout = frame.program(kSurfaceVertex, kReceiverFragment, defines);
-  // Positions come relative to the middle of the box, where its depth is a half.
-  const glm::vec4 depth_row(-box.v / box.size.y, 0.5);
-  const auto water_top = float(highest_crest(*frame.scene().water) - box.center.y);
-  for (const Program* program : {&solid, &cutout}) {
-    program->set("depth_in_box", depth_row);
-    program->set("water_top", water_top);
-    program->set("receiver", int(receiver));
-  }
-  frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(box, frame.gpu_scene().bounds()), box.center,
+  set_map_state();
+  const auto [solid, cutout] =
+      receiver_programs(frame, map, colored ? ShaderDefines{"WITH_DIFFUSE"} : ShaderDefines{});
+  const double over = reach_over(box, frame.gpu_scene().bounds());
+  frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(box, -over, 1), box.center,
                                   FrustumCulling::on);
   return map;
+}
+
+void draw_slice(FrameContext& frame, const ReceiverMap& map, const Slice& slice, const Framebuffer& target,
+                FrustumCulling culling) {
+  target.bind();
+  target.clear_color(0, 0, 0, 0, 0);
+  target.clear_depth(0);
+  set_map_state();
+  const auto [solid, cutout] = receiver_programs(frame, map, {"SLICE"});
+  for (const Program* program : {&solid, &cutout}) {
+    program->set("slice", slice.plane);
+    program->set("slices", float(slice.slices));
+  }
+  // A little more than what is nearest to the plane. Triangles that reach beyond are not cut, or they would
+  // not be drawn to the bit as in the position map.
+  const double over = reach_over(map.box, frame.gpu_scene().bounds()), half = 0.501 / slice.slices;
+  const double depth = double(slice.plane) / slice.slices;
+  const double near = slice.plane == 0 ? -over : depth - half;
+  glEnable(GL_DEPTH_CLAMP);
+  frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(map.box, near, depth + half), map.box.center,
+                                  culling);
+  glDisable(GL_DEPTH_CLAMP);
 }
 
 GlTexture draw_plane_depths(FrameContext& frame, const ReceiverMap& map, int slices) {

@@ -3,6 +3,8 @@
 #include <cstddef>
 
 #include "renderer/caustics/receiver_box.h"
+#include "renderer/gbuffer.h"
+#include "renderer/gl_framebuffer.h"
 #include "renderer/gl_objects.h"
 
 namespace lightbench {
@@ -28,6 +30,18 @@ struct ReceiverMap {
 
 ReceiverMap draw_receiver_map(FrameContext& frame, const ReceiverBox& box, std::size_t receiver, int size,
                               ReceiverColor color);
+
+/// One plane of a box that is cut into slices.
+struct Slice {
+  int plane = 0;
+  int slices = 0;
+};
+
+/// What belongs to a plane, into a target of RGBA8 and depth: white where it is the map's receiver, black
+/// where it is others, or what stands over the box; else 0. With culling, clusters of triangles are left out
+/// that miss it.
+void draw_slice(FrameContext& frame, const ReceiverMap& map, const Slice& slice, const Framebuffer& target,
+                FrustumCulling culling);
 
 /// A depth buffer of the plane that each texel belongs to, of `slices` + 1, as plane_depth of
 /// techniques/caustics/planes.glsl has it; 0 where the receiver is not seen.

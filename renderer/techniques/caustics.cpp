@@ -38,6 +38,8 @@ GlTexture draw_caustics(FrameContext& frame, const ReceiverMap& map, const MapRa
       return draw_level_map(frame, map, volumes, options.level_map);
     case CausticsMethod::hit:
       return draw_hits(frame, map, volumes, options.hit);
+    case CausticsMethod::volumetric:
+      return draw_volumetric(frame, map, volumes, options.volumetric);
   }
   return {};
 }

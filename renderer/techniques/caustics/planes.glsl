@@ -1,9 +1,11 @@
 // The planes across a receiver's box: 0 on the side of the light to `slices` on the far one.
 
+int nearest_plane(float depth, float slices) { return int(floor(depth * slices + 0.5)); }
+
 // The one that a texel of the position map belongs to: each surface point belongs to exactly one. -1: the receiver is
 // not what the light meets there.
 int plane_of(vec2 place, float slices) {
-  return place.y == 1.0 ? int(floor(place.x * slices + 0.5)) : -1;
+  return place.y == 1.0 ? nearest_plane(place.x, slices) : -1;
 }
 
 // Its value in depth buffers: exact for all that there can be, 0 for none.

@@ -1,4 +1,5 @@
-// The position and the diffuse map of a receiver: of all that stands in the water, what the light meets first.
+// The position and the diffuse map of a receiver: of all that stands in the water, what the light meets first. Or the
+// image of one slice of its box.
 #ifdef CUTOUT
 #include "shaders/cutout.glsl"
 #endif
@@ -8,7 +9,15 @@ layout(location = 1) in vec3 world_normal;
 layout(location = 2) in vec2 surface_uv;
 layout(location = 3) in vec3 surface_color;
 
+#ifdef SLICE
+#include "techniques/caustics/planes.glsl"
+layout(location = 0) out vec4 image;  // white where the receiver is, black where others are
+uniform int slice;
+uniform float slices;
+vec2 place;
+#else
 layout(location = 0) out vec2 place;
+#endif
 #ifdef WITH_DIFFUSE
 #include "shaders/material.glsl"
 layout(location = 1) out vec4 diffuse;
@@ -28,4 +37,9 @@ void main() {
 #endif
   if (relative_position.y > water_top) discard;
   place = vec2(dot(depth_in_box, vec4(relative_position, 1.0)), entity == receiver ? 1.0 : 0.0);
+#ifdef SLICE
+  // What stands over the box comes first.
+  if (max(nearest_plane(place.x, slices), 0) != slice) discard;
+  image = vec4(vec3(place.y), 1.0);
+#endif
 }

@@ -3,7 +3,7 @@
 #include "techniques/caustics/planes.glsl"
 layout(binding = 0) uniform sampler2D places;
 uniform float slices;
-#else
+#elif !defined(ONE_PLANE)
 layout(early_fragment_tests) in;  // against the planes of draw_plane_depths
 #endif
 

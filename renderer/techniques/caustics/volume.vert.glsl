@@ -5,6 +5,9 @@ layout(location = 0) in vec4 ray;      // place in the map at z = 0, and what ea
 layout(location = 1) in vec2 ray_way;  // the same of the way through the water
 
 uniform float slices;
+#ifdef ONE_PLANE
+uniform int one_plane;
+#endif
 #ifdef LISTED_PLANES
 layout(std430, binding = 1) readonly buffer Planes { uint planes[]; };
 #endif
@@ -14,7 +17,9 @@ layout(location = 1) flat out float depth;
 layout(location = 2) flat out int plane;
 
 void main() {
-#ifdef LISTED_PLANES
+#ifdef ONE_PLANE
+  plane = one_plane;
+#elif defined(LISTED_PLANES)
   plane = int(planes[gl_InstanceID]);
 #else
   plane = gl_InstanceID;

@@ -2,9 +2,12 @@
 
 #include <memory>
 
+#include "renderer/caustics/receiver_map.h"
+#include "renderer/caustics/volumes.h"
 #include "renderer/frame_context.h"
 #include "renderer/gl_context.h"
 #include "renderer/gpu_scene.h"
+#include "scene/water.h"
 #include "tests/renderer/render_scene.h"
 
 namespace lightbench::test {
@@ -24,6 +27,22 @@ class GlFrame {
   GpuState gpu_;
   GpuScene gpu_scene_;
   FrameContext frame_;
+};
+
+/// A receiver's map and the volumes of the first light.
+struct DrawnReceiver {
+  DrawnReceiver(FrameContext& frame, std::size_t entity, int size, VolumeCulling culling = VolumeCulling::on)
+      : map(draw_receiver_map(frame, receiver_box(frame.scene(), entity, frame.scene().lights[0]), entity,
+                              size, ReceiverColor::surface)),
+        volumes(rays(frame.scene(), map.box, culling), map, frame.scene().water->absorption, 1.0 / 256) {}
+
+  static MapRays rays(const Scene& scene, const ReceiverBox& box, VolumeCulling culling) {
+    const Mesh mesh = water_mesh(*scene.water, scene.time);
+    return map_rays(mesh, water_light(*scene.water, mesh, scene.lights[0], false), box, culling);
+  }
+
+  ReceiverMap map;
+  Volumes volumes;
 };
 
 }  // namespace lightbench::test

@@ -16,14 +16,10 @@ using namespace test;
 Image hit_map(const Scene& scene, std::size_t entity, Straddling straddling = Straddling::split,
               int size = 128) {
   GlFrame frame(scene);
-  const ReceiverBox box = receiver_box(scene, entity, scene.lights[0]);
-  const Mesh mesh = water_mesh(*scene.water, scene.time);
-  const MapRays rays = map_rays(mesh, water_light(*scene.water, mesh, scene.lights[0], false), box);
-  const ReceiverMap map = draw_receiver_map(frame.context(), box, entity, size, ReceiverColor::surface);
-  const Volumes volumes(rays, map, scene.water->absorption, 1.0 / 256);
+  const DrawnReceiver drawn(frame.context(), entity, size);
   HitOptions options;
   options.straddling = straddling;
-  return read_back(draw_hits(frame.context(), map, volumes, options), 4);
+  return read_back(draw_hits(frame.context(), drawn.map, drawn.volumes, options), 4);
 }
 
 FluxImages traced(const Scene& scene, std::size_t entity) {
@@ -36,7 +32,8 @@ FluxImages traced(const Scene& scene, std::size_t entity) {
 TEST(GlHit, ShowsWhatTheLightTracerShows) {
   const Scene scene = sphere_in_waves();
   for (const std::size_t entity : {0U, 1U}) {
-    const FluxImages expected = traced(scene, entity), drawn = comparable(hit_map(scene, entity, Straddling::split, 512));
+    const FluxImages expected = traced(scene, entity),
+                     drawn = comparable(hit_map(scene, entity, Straddling::split, 512));
     EXPECT_GT(correlation(drawn, expected), 0.95) << entity;
     EXPECT_NEAR(mean(drawn) / mean(expected), 1, 0.02) << entity;
   }

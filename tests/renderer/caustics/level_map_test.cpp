@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/caustics/light_tracer.h"
+#include "renderer/caustics/volumetric.h"
 #include "scene/water.h"
 #include "tests/renderer/caustics/flux_maps.h"
 #include "tests/renderer/caustics/gl_frame.h"
@@ -20,13 +21,8 @@ using namespace test;
 Image level_map(const Scene& scene, std::size_t entity, const LevelMapOptions& options = {}, int size = 128,
                 VolumeCulling culling = VolumeCulling::on) {
   GlFrame frame(scene);
-  const Light& light = scene.lights[0];
-  const ReceiverBox box = receiver_box(scene, entity, light);
-  const Mesh mesh = water_mesh(*scene.water, scene.time);
-  const MapRays rays = map_rays(mesh, water_light(*scene.water, mesh, light, false), box, culling);
-  const ReceiverMap map = draw_receiver_map(frame.context(), box, entity, size, ReceiverColor::surface);
-  const Volumes volumes(rays, map, scene.water->absorption, 1.0 / 256);
-  return read_back(draw_level_map(frame.context(), map, volumes, options), 4);
+  const DrawnReceiver drawn(frame.context(), entity, size, culling);
+  return read_back(draw_level_map(frame.context(), drawn.map, drawn.volumes, options), 4);
 }
 
 TEST(GlLevelMap, FlatWaterBrightensByTheCosines) {
@@ -71,6 +67,22 @@ TEST(GlLevelMap, AllWaysGiveTheSameBits) {
       options.slicing = slicing;
       EXPECT_EQ(level_map(scene, 1, options), expected) << int(test) << " " << int(slicing);
     }
+}
+
+TEST(GlVolumetric, GivesTheBitsOfTheLevelMap) {
+  Scene scene = sphere_in_waves();
+  add_box(scene, "lid", {{-0.5f, 2.2f, -0.5f}, {0, 2.3f, 0.5f}});
+  const Image expected = level_map(scene, 1);
+  for (const SliceDrawing drawing : {SliceDrawing::whole, SliceDrawing::clusters}) {
+    GlFrame frame(scene);
+    const DrawnReceiver drawn(frame.context(), 1, 128);
+    const Image map =
+        read_back(draw_volumetric(frame.context(), drawn.map, drawn.volumes, {100, drawing}), 4);
+    for (int y = 0; y < 128; ++y)
+      for (int x = 0; x < 128; ++x)
+        for (int c = 0; c < 3; ++c)
+          ASSERT_EQ(map.pixel(x, y)[std::size_t(c)], expected.pixel(x, y)[std::size_t(c)]) << x << " " << y;
+  }
 }
 
 TEST(GlLevelMap, ShowsWhatTheLightTracerShows) {
