@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "pipeline/references/light_tracer.h"
 #include "pipeline/references/path_tracer.h"
 #include "pipeline/references/povray.h"
 #include "pipeline/tables.h"
@@ -14,6 +15,7 @@ std::span<const ReferenceKind> reference_kinds() {
   static const ReferenceKind table[] = {
       povray_reference(),
       path_tracer_reference(),
+      light_tracer_reference(),
   };
   return table;
 }

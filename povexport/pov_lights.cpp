@@ -53,7 +53,7 @@ std::vector<Fade> fades_of(const Light& light, double scale) {
 }
 
 void write_light(PovWriter& out, const Light& light, const Fade& fade, const PovSpace& space,
-                 bool shadowless) {
+                 const PovLightOptions& options) {
   const bool directional = light.kind == LightKind::directional;
   // A parallel light shines from its place on: outside of the scene, yet near enough for exact coordinates.
   const glm::dvec3 center(space.bounds.center());
@@ -71,7 +71,8 @@ void write_light(PovWriter& out, const Light& light, const Fade& fade, const Pov
     out.words(" fade_distance ").number(space.scale * fade.distance);
     out.words(" fade_power ").number(fade.power);
   }
-  if (shadowless) out.words(" shadowless");
+  if (options.shadowless) out.words(" shadowless");
+  if (options.photons) out.words(" photons{refraction on reflection off}");
   out.words("}\n");
 }
 
@@ -84,10 +85,10 @@ double radius_attenuation_by_fades(double part) {
   return sum;
 }
 
-PovWriter pov_light(const Light& light, const PovSpace& space, bool shadowless) {
+PovWriter pov_light(const Light& light, const PovSpace& space, const PovLightOptions& options) {
   PovWriter out;
   for (const Light& point : light_points(light))
-    for (const Fade& fade : fades_of(point, space.scale)) write_light(out, point, fade, space, shadowless);
+    for (const Fade& fade : fades_of(point, space.scale)) write_light(out, point, fade, space, options);
   return out;
 }
 

@@ -14,8 +14,11 @@ Image8 cutout_mask(const Image8& image) {
   return mask;
 }
 
-void write_finish(PovWriter& out, float diffuse, const Material* shine, float gain) {
+/// Constant ambient light is emission to POV-Ray, whose own is off where there is radiosity.
+void write_finish(PovWriter& out, float diffuse, const glm::vec3& ambient, const Material* shine,
+                  float gain) {
   out.words("finish{ambient 0 diffuse ").number(diffuse);
+  if (ambient != glm::vec3(0)) out.words(" emission rgb").vector(diffuse * ambient);
   if (shine != nullptr && shine->specular > 0) {
     out.words(" phong ").number(gain * shine->specular);
     out.words(" phong_size ").number(shine->exponent);
@@ -66,20 +69,21 @@ std::string PovMaterials::cutout_file(TextureIndex texture) {
 /// must then come from that layer, since it would filter those below.
 void PovMaterials::write_surface(const Material& material, const glm::vec3& tint, float gain) {
   PovWriter& out = declarations_;
+  const glm::vec3 ambient = scene_.water ? scene_.water->ambient : glm::vec3(0);
   if (material.diffuse_texture == kNoTexture) {
     out.words("texture{pigment{rgb").vector(tint).words("}");
-    write_finish(out, gain, &material, gain);
+    write_finish(out, gain, ambient, &material, gain);
     out.words("}");
     return;
   }
   const bool grey = is_grey(tint);
   out.words("texture{pigment{").name("P", pigment(material.diffuse_texture)).words("}");
-  write_finish(out, grey ? gain * tint.x : gain, grey ? &material : nullptr, gain);
+  write_finish(out, grey ? gain * tint.x : gain, ambient, grey ? &material : nullptr, gain);
   out.words("}");
   if (grey) return;
   out.words("texture{pigment{rgbf<").number(tint.x).words(",").number(tint.y).words(",").number(tint.z);
   out.words(",1>}");
-  write_finish(out, 0, &material, gain);
+  write_finish(out, 0, ambient, &material, gain);
   out.words("}");
 }
 

@@ -1,11 +1,13 @@
 #include "povexport/pov_scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
 #include "povexport/pov_lights.h"
 #include "povexport/pov_materials.h"
 #include "povexport/pov_mesh.h"
+#include "povexport/pov_water.h"
 #include "povexport/pov_writer.h"
 #include "scene/motion.h"
 
@@ -63,7 +65,8 @@ PovWriter scene_include(const Scene& scene, const PovSpace& space, const PovWrit
 
 /// max_trace_level: stacked cut-outs turn black at the usual 5. adc_bailout: at the usual 1/255, darker
 /// layers of a surface get no indirect light.
-void write_global_settings(PovWriter& out, const PovOptions& options) {
+void write_global_settings(PovWriter& out, const Scene& scene, const PovSpace& space,
+                           const PovOptions& options) {
   out.words("#version 3.7;\nglobal_settings{\nassumed_gamma 1\nmax_trace_level 256\nadc_bailout 0.0001\n");
   if (options.radiosity) {
     out.words("radiosity{\nbrightness ").number(options.brightness);
@@ -73,6 +76,12 @@ void write_global_settings(PovWriter& out, const PovOptions& options) {
     out.words("\npretrace_start ").number(options.pretrace_start);
     out.words("\npretrace_end ").number(options.pretrace_end);
     out.words("\n}\n");
+  }
+  if (scene.water) {
+    const glm::vec2 size = scene.water->max - scene.water->min;
+    out.words("photons{spacing ")
+        .number(options.photon_spacing * space.scale * double(std::max(size.x, size.y)));
+    out.words("}\n");
   }
   out.words("}\n");
 }
@@ -97,7 +106,8 @@ std::vector<std::string> inexact_features(const Scene& scene) {
           "': POV-Ray cannot scale the indirect light of a surface alone; its reflectance is left out");
   if (scene.near || scene.far)
     warnings.emplace_back("near and far: POV-Ray also draws what lies outside of them");
-  if (scene.water) warnings.emplace_back("the water is left out");
+  if (scene.water)
+    for (const std::string& warning : pov_water_warnings(scene)) warnings.push_back(warning);
   return warnings;
 }
 
@@ -125,7 +135,7 @@ PovAssets pov_assets(const Scene& scene) {
 std::string pov_view(const Scene& scene, const PovAssets& assets, const Camera& camera, double aspect,
                      const PovOptions& options) {
   PovWriter out;
-  write_global_settings(out, options);
+  write_global_settings(out, scene, assets.space, options);
   // See-through where nothing is hit, so that alpha is the coverage; radiosity still gathers its colour. Who
   // renders the scene puts Background behind the image.
   out.words("#declare Background=").vector(scene.background.color).words(";\n");
@@ -138,8 +148,10 @@ std::string pov_view(const Scene& scene, const PovAssets& assets, const Camera& 
       .number(sky.z)
       .words(",1>}\n");
   write_camera(out, camera, aspect, assets.space.scale);
-  for (const Light& light : scene.lights) out.append(pov_light(light, assets.space, options.shadowless));
+  for (const Light& light : scene.lights)
+    out.append(pov_light(light, assets.space, {options.shadowless, scene.water.has_value()}));
   out.words("#include ").file(kSceneInclude).words("\n");
+  if (scene.water) out.append(pov_water(scene, assets.space));
   for (const Entity& entity : scene.entities)
     if (!entity.motion.keys.empty() && assets.includes.contains(mesh_file(entity.mesh)))
       write_entity(out, entity, assets.space);

@@ -25,6 +25,7 @@ struct PovOptions {
   double error_bound = 0.25;
   double pretrace_start = 0.08;
   double pretrace_end = 0.01;
+  double photon_spacing = 4e-4;  ///< of photons on a scene's water, over its longer side
   bool shadowless = false;
   bool estimate_noise = false;  ///< who renders it does so a second time, with `second_opinion`
 };

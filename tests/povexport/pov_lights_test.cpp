@@ -132,8 +132,8 @@ TEST(PovAreaLights, AreWrittenAsTheirPoints) {
   const PovSpace space{{glm::vec3(-1), glm::vec3(1)}, 256};
   const Light light = panel(AreaShape::triangle);
   std::string points;
-  for (const Light& point : light_points(light)) points += pov_light(point, space, false).text();
-  EXPECT_EQ(pov_light(light, space, false).text(), points);
+  for (const Light& point : light_points(light)) points += pov_light(point, space).text();
+  EXPECT_EQ(pov_light(light, space).text(), points);
 }
 
 TEST(PovrayPenumbra, OfAnAreaLightHasEvenSteps) {

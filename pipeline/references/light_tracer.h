@@ -1,0 +1,9 @@
+#pragma once
+
+#include "pipeline/references.h"
+
+namespace lightbench {
+
+ReferenceKind light_tracer_reference();
+
+}  // namespace lightbench

@@ -1,0 +1,242 @@
+#include "renderer/caustics/light_traced_image.h"
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <future>
+#include <optional>
+
+#include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "base/color.h"
+#include "base/error.h"
+#include "renderer/caustics/water_light.h"
+#include "renderer/paths/half_error.h"
+#include "renderer/paths/path_scene.h"
+
+namespace lightbench {
+namespace {
+
+/// What a ray meets.
+struct Hit {
+  std::size_t entity;
+  glm::dvec3 position;
+  SurfacePoint surface;
+};
+
+/// What a light leaves on the entities, of two halves of its rays.
+struct LitMaps {
+  const Light& light;
+  std::array<std::vector<FluxMap>, 2> halves;
+  std::vector<std::vector<std::pair<float, bool>>>
+      places;  ///< of each entity's texels: first depth, and whether its own
+};
+
+class Pictured {
+ public:
+  Pictured(const Scene& scene, const LightTraceOptions& options) : paths_(scene), options_(options) {
+    for (const Light& light : scene.lights) {
+      if (std::string problem = water_light_problem(scene, light); !problem.empty())
+        throw Error(std::move(problem), scene.name);
+      maps_.push_back(maps_of(light));
+    }
+  }
+
+  /// Emission and reflected light towards where the ray came from, by each half of the rays.
+  std::array<glm::vec3, 2> radiance(const Hit& hit, const glm::vec3& direction) const {
+    const Water& water = *paths_.scene.water;
+    const glm::vec3 face = towards(hit.surface.face, direction);
+    const glm::vec3 normal = glm::dot(hit.surface.normal, direction) > 0 ? -glm::normalize(hit.surface.normal)
+                                                                         : glm::normalize(hit.surface.normal);
+    std::array<glm::vec3, 2> result;
+    result.fill(hit.surface.material->emission);
+    const bool dry = hit.position.y > double(water.height);
+    for (glm::vec3& half : result) {
+      if (!dry) half += water.ambient * hit.surface.albedo;
+      const std::size_t which = std::size_t(&half - result.data());
+      for (const LitMaps& maps : maps_)
+        half += hit.surface.albedo * glm::vec3(dry ? direct(maps.light, hit, face, normal)
+                                                   : landed(maps, which, hit, face, normal));
+    }
+    return result;
+  }
+
+  std::optional<Hit> trace(const glm::vec3& origin, const glm::vec3& direction, float near = 0) const {
+    RTCRayHit ray{};
+    ray.ray = {origin.x,    origin.y, origin.z, near,        direction.x, direction.y,
+               direction.z, 0,        1e30f,    0xffffffffu, 0,           0};
+    ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(paths_.embree.top(), &context, &ray);
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    const Entity* entity =
+        paths_.embree.triangle(ray.hit.instID[0], ray.hit.geomID, ray.hit.primID).place->entity;
+    return Hit{std::size_t(entity - paths_.scene.entities.data()),
+               glm::dvec3(origin) + double(ray.ray.tfar) * glm::dvec3(direction),
+               paths_.surfaces.point(ray.hit.instID[0], ray.hit.geomID, ray.hit.primID, ray.hit.u, ray.hit.v,
+                                     {ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z})};
+  }
+
+ private:
+  static glm::vec3 towards(const glm::vec3& normal, const glm::vec3& direction) {
+    const glm::vec3 unit = glm::normalize(normal);
+    return glm::dot(unit, direction) > 0 ? -unit : unit;
+  }
+
+  LitMaps maps_of(const Light& light) {
+    LitMaps maps{light, {}, {}};
+    LightTraceOptions half = options_;
+    half.rays = options_.rays / 2;
+    for (std::vector<FluxMap>& which : maps.halves) {
+      which = trace_light(paths_.scene, light, half).maps;
+      half.seed += 0x5851f42d4c957f2du;
+    }
+    for (std::size_t entity = 0; entity < paths_.scene.entities.size(); ++entity)
+      maps.places.push_back(places_of(maps.halves[0][entity], entity));
+    return maps;
+  }
+
+  /// What the light meets first along the map's axis.
+  std::vector<std::pair<float, bool>> places_of(const FluxMap& map, std::size_t entity) const {
+    std::vector<std::pair<float, bool>> places;
+    const double far_above = 1 + double(world_bounds(paths_.scene).diagonal()) / map.box.size.y;
+    for (int y = 0; y < map.size; ++y)
+      for (int x = 0; x < map.size; ++x) {
+        const glm::dvec3 above = map.box.from_map({(x + 0.5) / map.size, (y + 0.5) / map.size, -far_above});
+        const auto hit = below_water(glm::vec3(above), -glm::vec3(map.box.v));
+        places.emplace_back(hit ? float(map.box.to_map(hit->position).z) : 2.0f,
+                            hit && hit->entity == entity);
+      }
+    return places;
+  }
+
+  std::optional<Hit> below_water(const glm::vec3& origin, const glm::vec3& direction) const {
+    const float down = (paths_.scene.water->height - origin.y) / direction.y;
+    return trace(origin, direction, std::max(down, 0.0f));
+  }
+
+  glm::dvec3 direct(const Light& light, const Hit& hit, const glm::vec3& face,
+                    const glm::vec3& normal) const {
+    const Incidence incidence = incidence_at(light, hit.position);
+    const double cosine = -glm::dot(incidence.direction, glm::dvec3(normal));
+    const glm::vec3 to_light(-incidence.direction);
+    if (cosine <= 0 || glm::dot(face, to_light) <= 0) return glm::dvec3(0);
+    const double size = double(world_bounds(paths_.scene).diagonal());
+    const glm::vec3 start(hit.position + 1e-5 * size * glm::dvec3(face));
+    const auto hinders = trace(start, to_light);
+    if (hinders &&
+        (light.kind == LightKind::directional || glm::distance(hinders->position, hit.position) <
+                                                     glm::distance(glm::dvec3(light.position), hit.position)))
+      return glm::dvec3(0);
+    return incidence.irradiance * cosine;
+  }
+
+  /// As techniques/caustics/cast.frag.glsl has it.
+  glm::dvec3 landed(const LitMaps& maps, std::size_t half, const Hit& hit, const glm::vec3& face,
+                    const glm::vec3& normal) const {
+    const FluxMap& map = maps.halves[half][hit.entity];
+    const ReceiverBox& box = map.box;
+    const double cosine = glm::dot(glm::dvec3(normal), box.v), across = glm::dot(glm::dvec3(face), box.v);
+    if (cosine <= 0 || across <= 0) return glm::dvec3(0);
+    const glm::dvec3 place = box.to_map(hit.position);
+    const glm::dvec2 slope = glm::dvec2(glm::dot(glm::dvec3(face), box.u) * box.size.x,
+                                        glm::dot(glm::dvec3(face), box.w) * box.size.z) /
+                             (across * box.size.y);
+    const double step = 1.0 / map.size;
+    const double bias = 0.5 * step * (std::abs(slope.x) + std::abs(slope.y)) +
+                        step * std::max(box.size.x, box.size.z) / box.size.y;
+    const glm::dvec2 texel = glm::dvec2(place) * double(map.size) - 0.5, first = glm::floor(texel);
+    const glm::dvec2 part = texel - first;
+    glm::dvec3 sum(0);
+    double weights = 0;
+    for (int i = 0; i < 4; ++i) {
+      const glm::dvec2 corner(i & 1, i >> 1);
+      const glm::ivec2 at(first + corner);
+      if (at.x < 0 || at.y < 0 || at.x >= map.size || at.y >= map.size) continue;
+      const std::size_t index = std::size_t(at.y) * std::size_t(map.size) + std::size_t(at.x);
+      const auto& [depth, own] = maps.places[hit.entity][index];
+      const double expected = place.z + glm::dot((first + corner - texel) * step, slope);
+      if (!own || std::abs(double(depth) - expected) > bias) continue;
+      const glm::dvec2 near = glm::mix(1.0 - part, part, corner);
+      sum += near.x * near.y * glm::dvec3(map.texels[index]);
+      weights += near.x * near.y;
+    }
+    return weights > 0 ? sum * (cosine / weights) : glm::dvec3(0);
+  }
+
+  PathScene paths_;
+  const LightTraceOptions& options_;
+  std::vector<LitMaps> maps_;
+};
+
+}  // namespace
+
+std::string light_tracer_version() {
+  return fmt::format("light tracer {}, Embree {}", kLightTracerVersion, RTC_VERSION_STRING);
+}
+
+LightTracedImage light_traced_image(const Scene& scene, const View& view, int width, int height,
+                                    int supersampling, const LightTraceOptions& options) {
+  if (!scene.water) throw Error("the scene has no water: nothing to trace light through", scene.name);
+  const Pictured pictured(scene, options);
+  const PathCamera camera(view.camera, width * supersampling, height * supersampling);
+  std::array<Image, 2> halves{Image(width * supersampling, height * supersampling, 4),
+                              Image(width * supersampling, height * supersampling, 4)};
+  std::atomic<int> next = 0;
+  const auto work = [&] {
+    for (int y = next++; y < halves[0].height; y = next++)
+      for (int x = 0; x < halves[0].width; ++x) {
+        const glm::vec3 direction = camera.direction(x, y);
+        const auto hit = pictured.trace(camera.position(), direction);
+        std::array<glm::vec3, 2> shown;
+        shown.fill(scene.background.color);
+        if (hit) shown = pictured.radiance(*hit, direction);
+        for (std::size_t half = 0; half < 2; ++half) {
+          const auto pixel = halves[half].pixel(x, y);
+          for (int c = 0; c < 3; ++c) pixel[std::size_t(c)] = shown[half][c];
+          pixel[3] = hit ? 1.0f : 0.0f;
+        }
+      }
+  };
+  std::vector<std::future<void>> helpers;
+  for (int i = 1; i < options.threads; ++i) helpers.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& helper : helpers) helper.get();
+  LightTracedImage result{box_downsample(halves[0], supersampling), 0};
+  const Image other = box_downsample(halves[1], supersampling);
+  double error = 0;
+  for (std::size_t i = 0; i < other.data.size(); i += 4) {
+    const glm::vec3 a(result.image.data[i], result.image.data[i + 1], result.image.data[i + 2]);
+    const glm::vec3 b(other.data[i], other.data[i + 1], other.data[i + 2]);
+    error += double(half_error(a, b));
+    for (std::size_t c = 0; c < 3; ++c) result.image.data[i + c] = 0.5f * (a[int(c)] + b[int(c)]);
+  }
+  result.noise = error / (double(width) * height);
+  return result;
+}
+
+std::vector<ParamSpec> light_tracer_params() {
+  const LightTraceOptions defaults;
+  return {
+      integer_param("rays", defaults.rays, 1000, 2'000'000'000,
+                    "through the water, of each light; about so many"),
+      integer_param("map_size", defaults.map_size, 16, 8192,
+                    "texels along an edge of the maps that rays land in"),
+      boolean_param("fresnel", defaults.fresnel, "whether the water reflects a part of the light"),
+      integer_param("seed", int(defaults.seed), 0, 2147483647, "of the random choices"),
+  };
+}
+
+LightTraceOptions light_tracer_options(const ParamValues& params) {
+  LightTraceOptions options;
+  options.rays = params.integer("rays");
+  options.map_size = params.integer("map_size");
+  options.fresnel = params.boolean("fresnel");
+  options.seed = std::uint64_t(params.integer("seed"));
+  return options;
+}
+
+}  // namespace lightbench
