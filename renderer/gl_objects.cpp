@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cassert>
 #include <stdexcept>
 #include <vector>
@@ -19,25 +20,26 @@ struct FormatRow {
   TexelFormat format;
   GLenum internal;
   int components;
+  int bytes;  ///< of a texel
 };
 
 constexpr std::array kFormats{
-    FormatRow{TexelFormat::r8, GL_R8, 1},
-    FormatRow{TexelFormat::rgba8, GL_RGBA8, 4},
-    FormatRow{TexelFormat::rg16, GL_RG16, 2},
-    FormatRow{TexelFormat::rgba16, GL_RGBA16, 4},
-    FormatRow{TexelFormat::r16f, GL_R16F, 1},
-    FormatRow{TexelFormat::rg16f, GL_RG16F, 2},
-    FormatRow{TexelFormat::rgb16f, GL_RGB16F, 3},
-    FormatRow{TexelFormat::rgb16, GL_RGB16, 3},
-    FormatRow{TexelFormat::rgba16_snorm, GL_RGBA16_SNORM, 4},
-    FormatRow{TexelFormat::rg_rgtc2, GL_COMPRESSED_RG_RGTC2, 2},
-    FormatRow{TexelFormat::rgba16f, GL_RGBA16F, 4},
-    FormatRow{TexelFormat::r32f, GL_R32F, 1},
-    FormatRow{TexelFormat::rg32f, GL_RG32F, 2},
-    FormatRow{TexelFormat::rgba32f, GL_RGBA32F, 4},
-    FormatRow{TexelFormat::depth32f, GL_DEPTH_COMPONENT32F, 1},
-    FormatRow{TexelFormat::depth32f_stencil8, GL_DEPTH32F_STENCIL8, 1},
+    FormatRow{TexelFormat::r8, GL_R8, 1, 1},
+    FormatRow{TexelFormat::rgba8, GL_RGBA8, 4, 4},
+    FormatRow{TexelFormat::rg16, GL_RG16, 2, 4},
+    FormatRow{TexelFormat::rgba16, GL_RGBA16, 4, 8},
+    FormatRow{TexelFormat::r16f, GL_R16F, 1, 2},
+    FormatRow{TexelFormat::rg16f, GL_RG16F, 2, 4},
+    FormatRow{TexelFormat::rgb16f, GL_RGB16F, 3, 6},
+    FormatRow{TexelFormat::rgb16, GL_RGB16, 3, 6},
+    FormatRow{TexelFormat::rgba16_snorm, GL_RGBA16_SNORM, 4, 8},
+    FormatRow{TexelFormat::rg_rgtc2, GL_COMPRESSED_RG_RGTC2, 2, 1},
+    FormatRow{TexelFormat::rgba16f, GL_RGBA16F, 4, 8},
+    FormatRow{TexelFormat::r32f, GL_R32F, 1, 4},
+    FormatRow{TexelFormat::rg32f, GL_RG32F, 2, 8},
+    FormatRow{TexelFormat::rgba32f, GL_RGBA32F, 4, 16},
+    FormatRow{TexelFormat::depth32f, GL_DEPTH_COMPONENT32F, 1, 4},
+    FormatRow{TexelFormat::depth32f_stencil8, GL_DEPTH32F_STENCIL8, 1, 8},
 };
 
 const FormatRow& row(TexelFormat format) {
@@ -75,7 +77,32 @@ std::vector<Component> flipped(const std::vector<Component>& rows, int height) {
   return result;
 }
 
+std::atomic<std::size_t> bytes_now = 0, bytes_most = 0;
+
+std::size_t bytes_of(TexelFormat format, int width, int height, int layers) {
+  return std::size_t(row(format).bytes) * std::size_t(width) * std::size_t(height) * std::size_t(layers);
+}
+
 }  // namespace
+
+CountedBytes::CountedBytes(std::size_t bytes) : bytes_(bytes) {
+  const std::size_t now = bytes_now += bytes;
+  std::size_t most = bytes_most;
+  while (most < now && !bytes_most.compare_exchange_weak(most, now)) {
+  }
+}
+
+CountedBytes::~CountedBytes() {
+  bytes_now -= bytes_;
+}
+
+TextureMemory texture_memory() {
+  return {bytes_now, bytes_most};
+}
+
+void forget_most_texture_memory() {
+  bytes_most = bytes_now.load();
+}
 
 int component_count(TexelFormat format) {
   return row(format).components;
@@ -95,6 +122,7 @@ GlTexture::GlTexture(TexelFormat format, int width, int height, Filter filter, W
   handle_ = GlHandle<delete_texture>(id);
   glTextureStorage2D(id, 1, row(format).internal, width, height);
   throw_if_out_of_memory(fmt::format("a texture of {} x {} texels", width, height));
+  bytes_ = CountedBytes(bytes_of(format, width, height, 1));
   set_sampling(id, filter, wrap);
 }
 
@@ -109,6 +137,7 @@ GlTexture GlTexture::array(TexelFormat format, int width, int height, int layers
   texture.handle_ = GlHandle<delete_texture>(id);
   glTextureStorage3D(id, 1, row(format).internal, width, height, layers);
   throw_if_out_of_memory(fmt::format("a texture of {} x {} x {} texels", width, height, layers));
+  texture.bytes_ = CountedBytes(bytes_of(format, width, height, layers));
   set_sampling(id, filter, wrap);
   return texture;
 }

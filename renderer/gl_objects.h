@@ -58,6 +58,30 @@ class GlHandle {
 void delete_texture(unsigned id);
 void delete_buffer(unsigned id);
 
+/// Adds to the bytes of textures that exist as long as it lives.
+class CountedBytes {
+ public:
+  CountedBytes() = default;
+  explicit CountedBytes(std::size_t bytes);
+  CountedBytes(CountedBytes&& other) noexcept : bytes_(std::exchange(other.bytes_, 0)) {}
+  CountedBytes& operator=(CountedBytes&& other) noexcept {
+    std::swap(bytes_, other.bytes_);
+    return *this;
+  }
+  ~CountedBytes();
+
+ private:
+  std::size_t bytes_ = 0;
+};
+
+/// Bytes of the textures of this process as their formats count them, whatever OpenGL makes of them.
+struct TextureMemory {
+  std::size_t now = 0;
+  std::size_t most = 0;  ///< since the start, or since it was last forgotten
+};
+TextureMemory texture_memory();
+void forget_most_texture_memory();
+
 /// A two-dimensional texture, or an array of them, of immutable storage with one level.
 class GlTexture {
  public:
@@ -83,6 +107,7 @@ class GlTexture {
 
  private:
   GlHandle<delete_texture> handle_;
+  CountedBytes bytes_;
   TexelFormat format_ = TexelFormat::rgba8;
   int width_ = 0;
   int height_ = 0;

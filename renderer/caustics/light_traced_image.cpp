@@ -12,6 +12,7 @@
 
 #include "base/color.h"
 #include "base/error.h"
+#include "renderer/caustics/receiver_texels.h"
 #include "renderer/caustics/water_light.h"
 #include "renderer/paths/half_error.h"
 #include "renderer/paths/path_scene.h"
@@ -19,19 +20,11 @@
 namespace lightbench {
 namespace {
 
-/// What a ray meets.
-struct Hit {
-  std::size_t entity;
-  glm::dvec3 position;
-  SurfacePoint surface;
-};
-
 /// What a light leaves on the entities, of two halves of its rays.
 struct LitMaps {
   const Light& light;
   std::array<std::vector<FluxMap>, 2> halves;
-  std::vector<std::vector<std::pair<float, bool>>>
-      places;  ///< of each entity's texels: first depth, and whether its own
+  std::vector<std::vector<ReceiverTexel>> places;  ///< of each entity
 };
 
 class Pictured {
@@ -45,7 +38,7 @@ class Pictured {
   }
 
   /// Emission and reflected light towards where the ray came from, by each half of the rays.
-  std::array<glm::vec3, 2> radiance(const Hit& hit, const glm::vec3& direction) const {
+  std::array<glm::vec3, 2> radiance(const SurfaceHit& hit, const glm::vec3& direction) const {
     const Water& water = *paths_.scene.water;
     const glm::vec3 face = towards(hit.surface.face, direction);
     const glm::vec3 normal = glm::dot(hit.surface.normal, direction) > 0 ? -glm::normalize(hit.surface.normal)
@@ -63,21 +56,8 @@ class Pictured {
     return result;
   }
 
-  std::optional<Hit> trace(const glm::vec3& origin, const glm::vec3& direction, float near = 0) const {
-    RTCRayHit ray{};
-    ray.ray = {origin.x,    origin.y, origin.z, near,        direction.x, direction.y,
-               direction.z, 0,        1e30f,    0xffffffffu, 0,           0};
-    ray.hit.geomID = ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(paths_.embree.top(), &context, &ray);
-    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    const Entity* entity =
-        paths_.embree.triangle(ray.hit.instID[0], ray.hit.geomID, ray.hit.primID).place->entity;
-    return Hit{std::size_t(entity - paths_.scene.entities.data()),
-               glm::dvec3(origin) + double(ray.ray.tfar) * glm::dvec3(direction),
-               paths_.surfaces.point(ray.hit.instID[0], ray.hit.geomID, ray.hit.primID, ray.hit.u, ray.hit.v,
-                                     {ray.hit.Ng_x, ray.hit.Ng_y, ray.hit.Ng_z})};
+  std::optional<SurfaceHit> trace(const glm::vec3& origin, const glm::vec3& direction) const {
+    return closest_surface(paths_, origin, direction);
   }
 
  private:
@@ -95,30 +75,11 @@ class Pictured {
       half.seed += 0x5851f42d4c957f2du;
     }
     for (std::size_t entity = 0; entity < paths_.scene.entities.size(); ++entity)
-      maps.places.push_back(places_of(maps.halves[0][entity], entity));
+      maps.places.push_back(receiver_texels(paths_, maps.halves[0][entity].box, entity, options_.map_size));
     return maps;
   }
 
-  /// What the light meets first along the map's axis.
-  std::vector<std::pair<float, bool>> places_of(const FluxMap& map, std::size_t entity) const {
-    std::vector<std::pair<float, bool>> places;
-    const double far_above = 1 + double(world_bounds(paths_.scene).diagonal()) / map.box.size.y;
-    for (int y = 0; y < map.size; ++y)
-      for (int x = 0; x < map.size; ++x) {
-        const glm::dvec3 above = map.box.from_map({(x + 0.5) / map.size, (y + 0.5) / map.size, -far_above});
-        const auto hit = below_water(glm::vec3(above), -glm::vec3(map.box.v));
-        places.emplace_back(hit ? float(map.box.to_map(hit->position).z) : 2.0f,
-                            hit && hit->entity == entity);
-      }
-    return places;
-  }
-
-  std::optional<Hit> below_water(const glm::vec3& origin, const glm::vec3& direction) const {
-    const float down = (paths_.scene.water->height - origin.y) / direction.y;
-    return trace(origin, direction, std::max(down, 0.0f));
-  }
-
-  glm::dvec3 direct(const Light& light, const Hit& hit, const glm::vec3& face,
+  glm::dvec3 direct(const Light& light, const SurfaceHit& hit, const glm::vec3& face,
                     const glm::vec3& normal) const {
     const Incidence incidence = incidence_at(light, hit.position);
     const double cosine = -glm::dot(incidence.direction, glm::dvec3(normal));
@@ -135,7 +96,7 @@ class Pictured {
   }
 
   /// As techniques/caustics/cast.frag.glsl has it.
-  glm::dvec3 landed(const LitMaps& maps, std::size_t half, const Hit& hit, const glm::vec3& face,
+  glm::dvec3 landed(const LitMaps& maps, std::size_t half, const SurfaceHit& hit, const glm::vec3& face,
                     const glm::vec3& normal) const {
     const FluxMap& map = maps.halves[half][hit.entity];
     const ReceiverBox& box = map.box;
@@ -157,9 +118,9 @@ class Pictured {
       const glm::ivec2 at(first + corner);
       if (at.x < 0 || at.y < 0 || at.x >= map.size || at.y >= map.size) continue;
       const std::size_t index = std::size_t(at.y) * std::size_t(map.size) + std::size_t(at.x);
-      const auto& [depth, own] = maps.places[hit.entity][index];
+      const ReceiverTexel& shown = maps.places[hit.entity][index];
       const double expected = place.z + glm::dot((first + corner - texel) * step, slope);
-      if (!own || std::abs(double(depth) - expected) > bias) continue;
+      if (!shown.own || std::abs(double(shown.depth) - expected) > bias) continue;
       const glm::dvec2 near = glm::mix(1.0 - part, part, corner);
       sum += near.x * near.y * glm::dvec3(map.texels[index]);
       weights += near.x * near.y;

@@ -3,7 +3,7 @@
 #include "renderer/caustics/caustics_cast.h"
 #include "renderer/caustics/caustics_params.h"
 #include "renderer/caustics/caustics_shaders.h"
-#include "renderer/caustics/level_map.h"
+#include "renderer/caustics/draw_caustics.h"
 #include "renderer/caustics/map_rays.h"
 #include "renderer/caustics/receiver_map.h"
 #include "renderer/direct_light.h"
@@ -28,20 +28,6 @@ std::vector<std::size_t> receivers(const FrameContext& frame) {
 
 bool reaches_above_water(const FrameContext& frame) {
   return frame.gpu_scene().bounds().max.y > frame.scene().water->height;
-}
-
-GlTexture draw_caustics(FrameContext& frame, const ReceiverMap& map, const MapRays& rays,
-                        const CausticsOptions& options) {
-  const Volumes volumes(rays, map, frame.scene().water->absorption, options.least_area);
-  switch (options.method) {
-    case CausticsMethod::level_map:
-      return draw_level_map(frame, map, volumes, options.level_map);
-    case CausticsMethod::hit:
-      return draw_hits(frame, map, volumes, options.hit);
-    case CausticsMethod::volumetric:
-      return draw_volumetric(frame, map, volumes, options.volumetric);
-  }
-  return {};
 }
 
 void render(FrameContext& frame, const ParamValues& params) {
@@ -72,7 +58,10 @@ void render(FrameContext& frame, const ParamValues& params) {
       frame.pass("volumes", [&] { rays = map_rays(mesh, through, box, options.culling); });
       frame.pass("position map",
                  [&] { map = draw_receiver_map(frame, box, receiver, options.map_size, options.color); });
-      frame.pass("caustics", [&] { caustics = draw_caustics(frame, map, rays, options); });
+      frame.pass("caustics", [&] {
+        const Volumes volumes(rays, map, water.absorption, options.least_area);
+        caustics = draw_caustics(frame, map, volumes, options);
+      });
       frame.pass("cast", [&] { picture.cast(map, caustics); });
     }
   }

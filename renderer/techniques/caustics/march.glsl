@@ -3,12 +3,24 @@ layout(binding = 0) uniform sampler2D places;
 uniform int steps;
 uniform float tolerance;  // in depth of the box: by how much a ray may pass the surface that it hits
 
-// By how much the ray is behind what the map shows where it is at that depth.
-float behind(vec4 ray, float depth) {
-  vec2 size = vec2(textureSize(places, 0));
-  ivec2 texel = clamp(ivec2(floor((ray.xy + depth * ray.zw) * size)), ivec2(0), ivec2(size) - 1);
-  return depth - texelFetch(places, texel, 0).x;
+// The depth that the map shows at a place: between the four texels around where all show the receiver, so that slopes
+// are no stairs, else the nearest's.
+float shown_depth(vec2 place) {
+  ivec2 size = textureSize(places, 0);
+  vec2 texel = clamp(place * vec2(size), vec2(0.0), vec2(size)) - 0.5;
+  vec2 part = fract(texel);
+  ivec2 low = max(ivec2(floor(texel)), ivec2(0));
+  ivec2 high = min(ivec2(floor(texel)) + 1, size - 1);
+  vec2 a = texelFetch(places, low, 0).xy;
+  vec2 b = texelFetch(places, ivec2(high.x, low.y), 0).xy;
+  vec2 c = texelFetch(places, ivec2(low.x, high.y), 0).xy;
+  vec2 d = texelFetch(places, high, 0).xy;
+  if (a.y + b.y + c.y + d.y == 4.0) return mix(mix(a.x, b.x, part.x), mix(c.x, d.x, part.x), part.y);
+  return part.y < 0.5 ? (part.x < 0.5 ? a.x : b.x) : (part.x < 0.5 ? c.x : d.x);
 }
+
+// By how much the ray is behind what the map shows where it is at that depth.
+float behind(vec4 ray, float depth) { return depth - shown_depth(ray.xy + depth * ray.zw); }
 
 bool shows_receiver(vec2 place) {
   vec2 size = vec2(textureSize(places, 0));

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/caustics/flux_compare.h"
 #include "renderer/caustics/light_tracer.h"
 #include "scene/water.h"
-#include "tests/renderer/caustics/flux_maps.h"
 #include "tests/renderer/caustics/gl_frame.h"
 #include "tests/renderer/caustics/water_scenes.h"
 
@@ -22,29 +22,31 @@ Image hit_map(const Scene& scene, std::size_t entity, Straddling straddling = St
   return read_back(draw_hits(frame.context(), drawn.map, drawn.volumes, options), 4);
 }
 
-FluxImages traced(const Scene& scene, std::size_t entity) {
+FluxField traced(const Scene& scene, std::size_t entity) {
   LightTraceOptions options;
   options.rays = 4'000'000;
   options.map_size = 512;
-  return comparable(trace_light(scene, scene.lights[0], options).maps[entity]);
+  return flux_field(trace_light(scene, scene.lights[0], options).maps[entity]);
 }
 
 TEST(GlHit, ShowsWhatTheLightTracerShows) {
   const Scene scene = sphere_in_waves();
   for (const std::size_t entity : {0U, 1U}) {
-    const FluxImages expected = traced(scene, entity),
-                     drawn = comparable(hit_map(scene, entity, Straddling::split, 512));
-    EXPECT_GT(correlation(drawn, expected), 0.95) << entity;
-    EXPECT_NEAR(mean(drawn) / mean(expected), 1, 0.02) << entity;
+    const FluxField expected = traced(scene, entity),
+                    drawn = flux_field(hit_map(scene, entity, Straddling::split, 512));
+    const FluxLikeness likeness = compare_flux(drawn, expected, 8);
+    EXPECT_GT(likeness.correlation, 0.95) << entity;
+    EXPECT_NEAR(likeness.energy, 1, 0.02) << entity;
   }
 }
 
 TEST(GlHit, WithoutThoseThatStraddleLightIsMissing) {
   const Scene scene = sphere_in_waves();
-  const double all = mean(comparable(hit_map(scene, 1))),
-               dropped = mean(comparable(hit_map(scene, 1, Straddling::drop)));
-  EXPECT_LT(dropped, 0.98 * all);
-  EXPECT_GT(dropped, 0.5 * all);
+  const FluxField all = flux_field(hit_map(scene, 1)),
+                  dropped = flux_field(hit_map(scene, 1, Straddling::drop));
+  const double kept = compare_flux(dropped, all, 8).energy;
+  EXPECT_LT(kept, 0.98);
+  EXPECT_GT(kept, 0.5);
 }
 
 TEST(GlHit, ReceiversSmallerThanAnImageOfATriangleAreLit) {

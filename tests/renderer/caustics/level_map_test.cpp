@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/caustics/flux_compare.h"
 #include "renderer/caustics/light_tracer.h"
 #include "renderer/caustics/volumetric.h"
 #include "scene/water.h"
-#include "tests/renderer/caustics/flux_maps.h"
 #include "tests/renderer/caustics/gl_frame.h"
 #include "tests/renderer/caustics/water_scenes.h"
 
@@ -92,10 +92,11 @@ TEST(GlLevelMap, ShowsWhatTheLightTracerShows) {
   options.map_size = 512;
   const LightTrace trace = trace_light(scene, scene.lights[0], options);
   for (const std::size_t entity : {0U, 1U}) {
-    const FluxImages traced = comparable(trace.maps[entity]);
-    const FluxImages drawn = comparable(level_map(scene, entity, {}, 512));
-    EXPECT_GT(correlation(drawn, traced), 0.95) << entity;
-    EXPECT_NEAR(mean(drawn) / mean(traced), 1, 0.02) << entity;
+    const FluxField traced = flux_field(trace.maps[entity]);
+    const FluxField drawn = flux_field(level_map(scene, entity, {}, 512));
+    const FluxLikeness likeness = compare_flux(drawn, traced, 8);
+    EXPECT_GT(likeness.correlation, 0.95) << entity;
+    EXPECT_NEAR(likeness.energy, 1, 0.02) << entity;
   }
 }
 

@@ -1,0 +1,75 @@
+#include <cstdio>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "base/files.h"
+#include "pipeline/caustics_study.h"
+#include "pipeline/commands/commands.h"
+#include "pipeline/snapshot.h"
+#include "scene/scene_file.h"
+
+namespace lightbench {
+namespace {
+
+struct CausticsParams {
+  std::vector<std::string> scenes;
+  CausticsStudyOptions options;
+  std::string output;
+};
+
+ExitCode run_caustics(const CausticsParams& params) {
+  CausticsStudyOptions options = params.options;
+  options.threads = int(std::max(1u, std::thread::hardware_concurrency()));
+  if (!params.output.empty()) require_writable(params.output);
+  std::vector<std::pair<std::string, std::vector<ReceiverFigures>>> figures;
+  for (const std::string& file : params.scenes) {
+    const Scene scene = load_scene(file);
+    figures.emplace_back(scene.name, study_caustics(scene, options, [](const std::string& step) {
+                           std::fprintf(stderr, "%s\n", step.c_str());
+                         }));
+  }
+  const std::string tables = caustics_tables(figures, options.slices);
+  if (params.output.empty())
+    std::printf("%s", tables.c_str());
+  else
+    write_file_atomic(params.output, tables);
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_caustics_command(CLI::App& app, Action& action) {
+  CLI::App* command = nullptr;
+  auto params = add_command<CausticsParams>(
+      app, "caustics", "Compare the maps of technique caustics with rays from the lights", action,
+      run_caustics, command);
+  CausticsStudyOptions& options = params->options;
+  command->add_option("scene", params->scenes, "Scene files with water")->required();
+  command->add_option("--rays", options.rays, "Of each light, through the water; about so many")
+      ->check(CLI::Range(1000.0, 1e11))
+      ->capture_default_str();
+  command->add_option("--map-size", options.map_size, "Texels along an edge of a receiver's maps")
+      ->check(CLI::Range(16, 4096))
+      ->capture_default_str();
+  command->add_option("--slices", options.slices, "Of a receiver's box")
+      ->check(CLI::Range(1, 2000))
+      ->capture_default_str();
+  command->add_option("--most", options.most, "Flat water's light: brighter texels count as so bright")
+      ->check(CLI::Range(0.01, 1e6))
+      ->capture_default_str();
+  command->add_flag("--povray", options.povray, "POV-Ray's photons, too: some tens of seconds a receiver");
+  command->add_option("-o,--output", params->output, "Markdown file to write; default: print it");
+  command->footer(
+      R"(Two Markdown tables. Of each receiver: the map's texels that show it, the water's triangles that
+let light in, those whose light may reach it and that are drawn, those whose light runs across the axis of its box and
+that no map shows, the planes that it lies on, and fragments of folded triangles whose area was raised to the least. Of
+each method: the correlation of its flux with that of the rays (after a mean over 3 x 3 texels, and clipped), the light
+over that of the rays, the light over what enters the water, the texels with other bits than the first method's, and
+what textures took at a time.
+
+Example:
+  lightbench caustics pool.json --rays 10000000)");
+}
+
+}  // namespace lightbench

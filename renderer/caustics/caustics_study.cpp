@@ -1,0 +1,56 @@
+#include "renderer/caustics/caustics_study.h"
+
+#include "renderer/caustics/draw_caustics.h"
+#include "renderer/frame_context.h"
+#include "renderer/gpu_scene.h"
+#include "scene/water.h"
+
+namespace lightbench {
+
+struct CausticsStudy::Impl {
+  Impl(const Scene& scene, GlBackend backend)
+      : gl(make_gl_context(backend)),
+        request{scene, view, 16, 16, 1, {}},
+        gpu_scene(scene),
+        frame(request, &gpu, &gpu_scene),
+        mesh(water_mesh(*scene.water, scene.time)) {}
+
+  std::unique_ptr<GlContext> gl;
+  View view;
+  FrameRequest request;
+  GpuState gpu;
+  GpuScene gpu_scene;
+  FrameContext frame;
+  Mesh mesh;
+};
+
+CausticsStudy::CausticsStudy(const Scene& scene, GlBackend backend)
+    : impl_(std::make_unique<Impl>(scene, backend)) {}
+CausticsStudy::~CausticsStudy() = default;
+
+StudiedMap CausticsStudy::draw(std::size_t receiver, const Light& light, const ParamValues& params) {
+  FrameContext& frame = impl_->frame;
+  const Scene& scene = frame.scene();
+  const CausticsOptions options = caustics_options(params);
+  StudiedMap result;
+  result.box = receiver_box(scene, receiver, light);
+  const WaterLight through = water_light(*scene.water, impl_->mesh, light, options.fresnel);
+  const MapRays rays = map_rays(impl_->mesh, through, result.box, options.culling);
+  result.lit = rays.lit;
+  result.drawn = rays.corners.size();
+  result.sideways = rays.sideways;
+  forget_most_texture_memory();
+  const std::size_t before = texture_memory().now;
+  const ReceiverMap map = draw_receiver_map(frame, result.box, receiver, options.map_size, options.color);
+  const Volumes volumes(rays, map, scene.water->absorption, options.least_area);
+  result.flux = read_back(draw_caustics(frame, map, volumes, options), 4);
+  result.texture_bytes = texture_memory().most - before;
+  result.planes = used_planes(map, options.level_map.slices);
+  if (options.method != CausticsMethod::volumetric)
+    for (std::size_t i = 3; i < result.flux.data.size(); i += 4)
+      result.raised += std::size_t(result.flux.data[i]);
+  impl_->gl->check("a map of caustics");
+  return result;
+}
+
+}  // namespace lightbench
