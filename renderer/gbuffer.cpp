@@ -108,10 +108,14 @@ GBuffer draw_gbuffer(FrameContext& frame, const FrameCamera& camera, int width, 
     g.entities = GlTexture(TexelFormat::r32f, width, height);
     defines.emplace_back("WITH_ENTITIES");
   }
+  if (options.ceiling) defines.emplace_back("WITH_CEILING");
   const Framebuffer target = surface_target(g);
   const Program& solid = frame.program("shaders/surface.vert.glsl", "shaders/surface.frag.glsl", defines);
   defines.emplace_back("CUTOUT");
   const Program& cutout = frame.program("shaders/surface.vert.glsl", "shaders/surface.frag.glsl", defines);
+  if (options.ceiling)
+    for (const Program* program : {&solid, &cutout})
+      program->set("ceiling", *options.ceiling - camera.position.y);
   target.bind();
   clear(target, frame.scene().background.color);
   if (options.entities) target.clear_color(6, 0, 0, 0, 0);

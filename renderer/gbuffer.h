@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "renderer/frame_camera.h"
 #include "renderer/gl_framebuffer.h"
 #include "renderer/gl_objects.h"
@@ -18,7 +20,8 @@ enum class FrustumCulling { on, off };
 struct GBufferOptions {
   NormalFormat normals = NormalFormat::octahedral16;
   FrustumCulling culling = FrustumCulling::on;
-  bool entities = false;  ///< whether GBuffer::entities is drawn
+  std::optional<float> ceiling = std::nullopt;  ///< what is higher in the world is left out
+  bool entities = false;                        ///< whether GBuffer::entities is drawn
 };
 
 /// What the camera sees, after section 4.2 of the image-space radiosity thesis. All textures have the
@@ -39,8 +42,8 @@ struct GBuffer {
   GlTexture entities;  ///< R32F, if asked for: 1 + the number of the entity, 0 without geometry
   GlTexture depth_stencil;  ///< stencil 1 where there is geometry
 
-  /// Binds the textures but `entities` to the units of shaders/gbuffer.glsl (0 to 5), the camera to uniform block 0 and the
-  /// tiles, if there are any, to block 2.
+  /// Binds the textures but `entities` to the units of shaders/gbuffer.glsl (0 to 5), the camera to uniform
+  /// block 0 and the tiles, if there are any, to block 2.
   void bind() const;
 
   Buffer camera_block;

@@ -26,6 +26,12 @@ double water_level(const Water& water, const glm::dvec2& place, double time) {
   return level;
 }
 
+double highest_crest(const Water& water) {
+  double level = double(water.height);
+  for (const Wave& wave : water.waves) level += std::abs(double(wave.amplitude));
+  return level;
+}
+
 glm::dvec3 water_normal(const Water& water, const glm::dvec2& place, double time) {
   glm::dvec2 slope(0);
   for (const Wave& wave : water.waves)

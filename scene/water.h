@@ -14,6 +14,9 @@ namespace lightbench {
 /// Above a point of the rectangle (x, z), in the world.
 double water_level(const Water& water, const glm::dvec2& place, double time);
 
+/// No wave of it is ever higher, nor is any trough as far below its height.
+double highest_crest(const Water& water);
+
 /// Unit, upwards, from the waves' derivatives.
 glm::dvec3 water_normal(const Water& water, const glm::dvec2& place, double time);
 

@@ -14,7 +14,7 @@ enum Unit : unsigned { kEntities = 6, kPlaces, kCaustics, kDiffuse };
 CausticsPicture::CausticsPicture(FrameContext& frame, const GBuffer& gbuffer)
     : frame_(frame),
       gbuffer_(gbuffer),
-      image_(TexelFormat::rgba32f, gbuffer.width, gbuffer.height),
+      image_(TexelFormat::rgba32f, gbuffer.width, gbuffer.height, Filter::linear),
       landed_(TexelFormat::rgba32f, gbuffer.width, gbuffer.height) {}
 
 void CausticsPicture::draw_unlit(const GlTexture& direct) {
@@ -38,7 +38,7 @@ void CausticsPicture::cast(const ReceiverMap& map, const GlTexture& caustics) {
   const Program& program = frame_.fullscreen_program(kCast, defines);
   const ReceiverBox& box = map.box;
   program.set("receiver", int(map.receiver));
-  program.set("box_center", glm::vec3(box.center - glm::dvec3(frame_.camera().position)));
+  program.set("box_center", glm::vec3(box.center - glm::dvec3(gbuffer_.camera.position)));
   program.set("box_u", glm::vec3(box.u));
   program.set("box_v", glm::vec3(box.v));
   program.set("box_w", glm::vec3(box.w));
@@ -49,8 +49,8 @@ void CausticsPicture::cast(const ReceiverMap& map, const GlTexture& caustics) {
   caustics.bind(kCaustics);
   if (map_color) map.diffuse.bind(kDiffuse);
   DrawOn where = kObjects;
-  where.pixels = pixels_of_box(entity_bounds(frame_.scene(), map.receiver), frame_.camera().clip_from_world,
-                               {frame_.width(), frame_.height()});
+  where.pixels = pixels_of_box(entity_bounds(frame_.scene(), map.receiver), gbuffer_.camera.clip_from_world,
+                               {gbuffer_.width, gbuffer_.height});
   frame_.draw_fullscreen(Framebuffer({&image_, &landed_}, &gbuffer_.depth_stencil), program, Blend::add,
                          where);
 }

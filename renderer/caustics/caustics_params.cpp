@@ -37,6 +37,9 @@ std::vector<ParamSpec> caustics_params() {
           "of the image of a triangle of the water, in texels: where light folds it goes to 0, and its "
           "brightness beyond all bounds"),
       boolean_param("fresnel", false, "whether the water reflects a part of the light"),
+      boolean_param(
+          "surface", true,
+          "draw the water's surface, which shows what is below it refracted and the background reflected"),
       boolean_param("culling", true,
                     "leave out triangles of the water whose light misses the receiver's box"),
       choice_param(
@@ -51,6 +54,7 @@ std::vector<ParamSpec> caustics_params() {
 CausticsOptions caustics_options(const ParamValues& params) {
   CausticsOptions options;
   options.map_size = params.integer("map_size");
+  options.surface = params.boolean("surface");
   options.fresnel = params.boolean("fresnel");
   options.culling = params.boolean("culling") ? VolumeCulling::on : VolumeCulling::off;
   options.color = params.text("color") == "map" ? ReceiverColor::map : ReceiverColor::surface;

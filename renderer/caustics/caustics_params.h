@@ -17,6 +17,7 @@ struct CausticsOptions {
   int map_size = 512;  ///< texels along the edge of a receiver's maps
   bool fresnel = false;
   VolumeCulling culling = VolumeCulling::on;
+  bool surface = true;  ///< whether the water's surface is drawn
   ReceiverColor color = ReceiverColor::surface;
   double least_area = 1.0 / 256;  ///< texels
   LevelMapOptions level_map;

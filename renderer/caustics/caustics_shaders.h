@@ -20,6 +20,8 @@ inline constexpr const char* kListStraddling = "techniques/caustics/list_straddl
 inline constexpr const char* kLandingVertex = "techniques/caustics/landing.vert.glsl";
 inline constexpr const char* kLandingFragment = "techniques/caustics/landing.frag.glsl";
 inline constexpr const char* kCombine = "techniques/caustics/combine.frag.glsl";
+inline constexpr const char* kWaterVertex = "techniques/caustics/water.vert.glsl";
+inline constexpr const char* kWaterFragment = "techniques/caustics/water.frag.glsl";
 inline constexpr const char* kUnlit = "techniques/caustics/unlit.frag.glsl";
 inline constexpr const char* kCast = "techniques/caustics/cast.frag.glsl";
 
@@ -39,6 +41,8 @@ inline constexpr std::array kCausticsShaders{kSurfaceVertex,
                                              kLandingFragment,
                                              kCombine,
                                              kUnlit,
-                                             kCast};
+                                             kCast,
+                                             kWaterVertex,
+                                             kWaterFragment};
 
 }  // namespace lightbench

@@ -8,6 +8,7 @@
 #include "renderer/caustics/caustics_shaders.h"
 #include "renderer/frame_context.h"
 #include "renderer/gpu_scene.h"
+#include "scene/water.h"
 
 namespace lightbench {
 namespace {
@@ -34,12 +35,6 @@ glm::dmat4 clip_from_world(const ReceiverBox& box, double near, double far) {
   return glm::transpose(glm::dmat4(row(2.0 / box.size.x * box.u, 0), row(2.0 / box.size.z * box.w, 0),
                                    row(1 / (range * box.size.y) * box.v, (far - 0.5) / range),
                                    glm::dvec4(0, 0, 0, 1)));
-}
-
-double highest_crest(const Water& water) {
-  double level = double(water.height);
-  for (const Wave& wave : water.waves) level += double(wave.amplitude);
-  return level;
 }
 
 struct ReceiverPrograms {

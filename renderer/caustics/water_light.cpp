@@ -46,13 +46,11 @@ glm::dvec3 flat_water_axis(const Water& water, const Light& light, const glm::dv
 
 std::string water_light_problem(const Scene& scene, const Light& light) {
   const Water& water = *scene.water;
-  double crest = double(water.height);
-  for (const Wave& wave : water.waves) crest += double(wave.amplitude);
   if (light.kind != LightKind::directional && light.kind != LightKind::point)
     return fmt::format("light '{}' is neither directional nor a point", light.name);
   if (light.kind == LightKind::directional && light.direction.y >= 0)
     return fmt::format("light '{}' does not shine down on the water", light.name);
-  if (light.kind == LightKind::point && double(light.position.y) <= crest)
+  if (light.kind == LightKind::point && double(light.position.y) <= highest_crest(water))
     return fmt::format("light '{}' is not above the water", light.name);
   return {};
 }

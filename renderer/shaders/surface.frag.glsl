@@ -20,6 +20,9 @@ layout(location = 5) out vec4 emission;
 layout(location = 6) out float entity_number;  // from 1 on
 uniform int entity;
 #endif
+#ifdef WITH_CEILING
+uniform float ceiling;  // relative to the camera; what is higher is left out
+#endif
 
 // A normal that faces away from the viewer is turned over; without a direction, the other one stands in.
 vec3 towards_viewer(vec3 n, vec3 otherwise) {
@@ -51,6 +54,9 @@ void main() {
   vec3 diffuse = surface_diffuse(surface_uv, surface_color);
 #ifdef CUTOUT
   if (is_cut_out(surface_uv)) discard;
+#endif
+#ifdef WITH_CEILING
+  if (relative_position.y > ceiling) discard;
 #endif
 
   float kept_depth = dot(relative_position, camera_forward.xyz) / camera_position.w;

@@ -1,11 +1,14 @@
 #include "renderer/techniques/caustics.h"
 
+#include <optional>
+
 #include "renderer/caustics/caustics_cast.h"
 #include "renderer/caustics/caustics_params.h"
 #include "renderer/caustics/caustics_shaders.h"
 #include "renderer/caustics/draw_caustics.h"
 #include "renderer/caustics/map_rays.h"
 #include "renderer/caustics/receiver_map.h"
+#include "renderer/caustics/water_view.h"
 #include "renderer/direct_light.h"
 #include "renderer/frame_context.h"
 #include "renderer/gpu_scene.h"
@@ -14,14 +17,15 @@
 namespace lightbench {
 namespace {
 
-/// Those that reach below the water and may be in the picture.
-std::vector<std::size_t> receivers(const FrameContext& frame) {
+/// Those that reach below the water; without its surface, which shows what else is there, those in the
+/// picture.
+std::vector<std::size_t> receivers(const FrameContext& frame, bool all) {
   const Scene& scene = frame.scene();
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < scene.entities.size(); ++i) {
     const Bounds bounds = entity_bounds(scene, i);
     if (bounds.empty() || bounds.min.y > scene.water->height) continue;
-    if (may_be_visible(bounds, frame.camera().clip_from_world)) result.push_back(i);
+    if (all || may_be_visible(bounds, frame.camera().clip_from_world)) result.push_back(i);
   }
   return result;
 }
@@ -30,44 +34,97 @@ bool reaches_above_water(const FrameContext& frame) {
   return frame.gpu_scene().bounds().max.y > frame.scene().water->height;
 }
 
-void render(FrameContext& frame, const ParamValues& params) {
+GBuffer draw_surfaces(FrameContext& frame, const FrameCamera& camera, int width, int height,
+                      std::optional<float> ceiling = std::nullopt) {
+  GBufferOptions options;
+  options.entities = true;
+  options.ceiling = ceiling;
+  return draw_gbuffer(frame, camera, width, height, options);
+}
+
+/// What the water's surface shows, to be lit with the picture.
+struct BelowWater {
+  BelowWater(FrameContext& frame, const Mesh& mesh) : view(frame, mesh) {
+    if (!view.camera()) return;
+    gbuffer = draw_surfaces(frame, *view.camera(), WaterView::kSize, WaterView::kSize,
+                            float(highest_crest(*frame.scene().water)));
+    picture.emplace(frame, gbuffer);
+    picture->draw_unlit({});
+  }
+
+  WaterView view;
+  GBuffer gbuffer;
+  std::optional<CausticsPicture> picture;
+};
+
+void light(FrameContext& frame, const CausticsOptions& options, const Mesh& mesh,
+           const std::vector<CausticsPicture*>& pictures) {
   const Scene& scene = frame.scene();
   const Water& water = *scene.water;
-  const CausticsOptions options = caustics_options(params);
-  GBuffer gbuffer;
-  frame.pass("g-buffer", [&] {
-    GBufferOptions kept;
-    kept.entities = true;
-    gbuffer = draw_gbuffer(frame, frame.camera(), frame.width(), frame.height(), kept);
-  });
-  DirectLight direct;
-  if (reaches_above_water(frame)) direct = draw_direct_light(frame, gbuffer, shadow_options(params));
-  CausticsPicture picture(frame, gbuffer);
-  frame.pass("unlit", [&] { picture.draw_unlit(direct.lit); });
-  const std::vector<std::size_t> lit = receivers(frame);
-  Mesh mesh;
-  frame.pass("volumes", [&] { mesh = water_mesh(water, scene.time); });
+  const std::vector<std::size_t> lit = receivers(frame, pictures.size() > 1);
   for (const Light& light : scene.lights) {
     WaterLight through;
     frame.pass("volumes", [&] { through = water_light(water, mesh, light, options.fresnel); });
     for (const std::size_t receiver : lit) {
-      const ReceiverBox box = receiver_box(scene, receiver, light);
       MapRays rays;
       ReceiverMap map;
       GlTexture caustics;
-      frame.pass("volumes", [&] { rays = map_rays(mesh, through, box, options.culling); });
+      ReceiverBox box;
+      frame.pass("volumes", [&] {
+        box = receiver_box(scene, receiver, light);
+        rays = map_rays(mesh, through, box, options.culling);
+      });
       frame.pass("position map",
                  [&] { map = draw_receiver_map(frame, box, receiver, options.map_size, options.color); });
       frame.pass("caustics", [&] {
         const Volumes volumes(rays, map, water.absorption, options.least_area);
         caustics = draw_caustics(frame, map, volumes, options);
       });
-      frame.pass("cast", [&] { picture.cast(map, caustics); });
+      frame.pass("cast", [&] {
+        for (CausticsPicture* picture : pictures) picture->cast(map, caustics);
+      });
     }
+  }
+}
+
+/// Relative to the camera, as the surface's pass leaves it, in the world; 0 where nothing is seen.
+Image world_positions(const FrameContext& frame, const GlTexture& seen) {
+  const Image relative = read_back(seen, 4);
+  Image positions(relative.width, relative.height, 3);
+  for (int y = 0; y < relative.height; ++y)
+    for (int x = 0; x < relative.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        if (relative.pixel(x, y)[3] != 0)
+          positions.pixel(x, y)[std::size_t(c)] =
+              relative.pixel(x, y)[std::size_t(c)] + frame.camera().position[c];
+  return positions;
+}
+
+void render(FrameContext& frame, const ParamValues& params) {
+  const Scene& scene = frame.scene();
+  const CausticsOptions options = caustics_options(params);
+  GBuffer gbuffer;
+  frame.pass("g-buffer",
+             [&] { gbuffer = draw_surfaces(frame, frame.camera(), frame.width(), frame.height()); });
+  DirectLight direct;
+  if (reaches_above_water(frame)) direct = draw_direct_light(frame, gbuffer, shadow_options(params));
+  CausticsPicture picture(frame, gbuffer);
+  frame.pass("unlit", [&] { picture.draw_unlit(direct.lit); });
+  Mesh mesh;
+  frame.pass("volumes", [&] { mesh = water_mesh(*scene.water, scene.time); });
+  std::optional<BelowWater> below;
+  if (options.surface) frame.pass("below the water", [&] { below.emplace(frame, mesh); });
+  std::vector<CausticsPicture*> pictures{&picture};
+  if (below && below->picture) pictures.push_back(&*below->picture);
+  light(frame, options, mesh, pictures);
+  if (below && below->picture) {
+    WaterView::Drawn surface;
+    frame.pass("surface",
+               [&] { surface = below->view.draw(gbuffer, picture, below->gbuffer, *below->picture); });
+    if (frame.wants("through")) frame.keep_buffer("through", world_positions(frame, surface.seen));
   }
   frame.keep_buffer("caustics", picture.landed(), 3);
   frame.set_image(picture.image());
-  keep_direct_buffers(frame, gbuffer, direct);
 }
 
 std::vector<std::string> unsupported(const Scene& scene, const ParamValues&) {
@@ -89,7 +146,8 @@ Technique caustics_technique() {
       "of rays.";
   technique.params = caustics_params();
   technique.buffers = {
-      {"caustics", "flux that lands for each unit of area across the lights' axes, linear RGB"}};
+      {"caustics", "flux that lands for each unit of area across the lights' axes, linear RGB"},
+      {"through", "where in the world the water's surface shows something, 0 elsewhere"}};
   technique.shaders = direct_shaders();
   technique.shaders.insert(technique.shaders.end(), kCausticsShaders.begin(), kCausticsShaders.end());
   technique.shows_water = true;
