@@ -20,6 +20,8 @@ std::span<const ParamSpec> pov_params() {
       number_param("pretrace_end", 0.01, 0.0001, 1, "block size of the last pretrace, of the width"),
       number_param("photon_spacing", 4e-4, 1e-5, 0.1,
                    "between the photons that fall on a scene's water, as a share of its longer side"),
+      boolean_param("fresnel", false,
+                    "whether a scene's water reflects a part of the light, and the background"),
       boolean_param("shadowless", false, "lights cast no shadows"),
       boolean_param("estimate_noise", false,
                     "render a second time, with twice the rays and half the error bound, to tell how exact "
@@ -50,6 +52,7 @@ PovOptions pov_options(const ParamValues& params) {
   options.pretrace_start = params.number("pretrace_start");
   options.pretrace_end = params.number("pretrace_end");
   options.photon_spacing = params.number("photon_spacing");
+  options.fresnel = params.boolean("fresnel");
   options.shadowless = params.boolean("shadowless");
   // Direct light alone is not sampled: a second rendering would be the same.
   options.estimate_noise = params.boolean("estimate_noise") && options.radiosity;

@@ -112,7 +112,8 @@ std::vector<std::string> inexact_features(const Scene& scene) {
   if (scene.near || scene.far)
     warnings.emplace_back("near and far: POV-Ray also draws what lies outside of them");
   if (scene.water)
-    for (const std::string& warning : pov_water_warnings(scene)) warnings.push_back(warning);
+    warnings.emplace_back(
+        "the water: POV-Ray takes every camera to be above it; one below it sees it the other way round");
   return warnings;
 }
 
@@ -156,7 +157,7 @@ std::string pov_view(const Scene& scene, const PovAssets& assets, const Camera& 
   for (const Light& light : scene.lights)
     out.append(pov_light(light, assets.space, {options.shadowless, scene.water.has_value()}));
   out.words("#include ").file(kSceneInclude).words("\n");
-  if (scene.water) out.append(pov_water(scene, assets.space));
+  if (scene.water) out.append(pov_water(scene, assets.space, options.fresnel));
   for (const Entity& entity : scene.entities)
     if (!entity.motion.keys.empty() && assets.includes.contains(mesh_file(entity.mesh)))
       write_entity(out, entity, assets.space);

@@ -26,6 +26,7 @@ struct PovOptions {
   double pretrace_start = 0.08;
   double pretrace_end = 0.01;
   double photon_spacing = 4e-4;  ///< of photons on a scene's water, over its longer side
+  bool fresnel = false;          ///< whether a scene's water reflects a part of the light, and the background
   double parallel_height = 0;    ///< of what a camera with parallel rays sees; 0: a perspective one
   bool shadowless = false;
   bool estimate_noise = false;  ///< who renders it does so a second time, with `second_opinion`

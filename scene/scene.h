@@ -138,7 +138,7 @@ struct Water {
   glm::ivec2 grid{71, 71};  ///< vertices along x and z
   float ior = 1.333f;       ///< over that of air
   glm::vec3 absorption{0};  ///< for each unit of length: exp(-absorption d) passes
-  glm::vec3 ambient{0};  ///< what light from everywhere adds to all that is below, times the surface's colour
+  glm::vec3 ambient{0};     ///< what light from all sides adds to all surfaces, times their colour
   std::vector<Wave> waves;
 };
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
+#include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
 #include "base/color.h"
@@ -16,6 +17,7 @@
 #include "renderer/caustics/water_light.h"
 #include "renderer/paths/half_error.h"
 #include "renderer/paths/path_scene.h"
+#include "scene/water.h"
 
 namespace lightbench {
 namespace {
@@ -27,9 +29,32 @@ struct LitMaps {
   std::vector<std::vector<ReceiverTexel>> places;  ///< of each entity
 };
 
+/// The water's surface as a scene of its own.
+Scene surface_scene(const Scene& scene) {
+  Scene surface;
+  surface.name = scene.name;
+  surface.time = scene.time;
+  surface.materials.emplace_back();
+  surface.meshes.push_back(water_mesh(*scene.water, scene.time));
+  surface.entities.push_back({"water", 0});
+  return surface;
+}
+
+using Halves = std::array<glm::vec3, 2>;
+
+struct Seen {
+  Halves color;
+  bool covered;  ///< by an object or the water
+};
+
 class Pictured {
  public:
-  Pictured(const Scene& scene, const LightTraceOptions& options) : paths_(scene), options_(options) {
+  Pictured(const Scene& scene, const LightTracedOptions& options)
+      : paths_(scene),
+        options_(options.trace),
+        surface_scene_(surface_scene(scene)),
+        surface_(surface_scene_) {
+    shows_surface_ = options.surface;
     for (const Light& light : scene.lights) {
       if (std::string problem = water_light_problem(scene, light); !problem.empty())
         throw Error(std::move(problem), scene.name);
@@ -37,33 +62,70 @@ class Pictured {
     }
   }
 
+  Seen along(const glm::vec3& origin, const glm::vec3& direction) const {
+    const auto hit = closest_surface(paths_, origin, direction);
+    if (shows_surface_)
+      if (const auto water = closest_surface(surface_, origin, direction))
+        if (!hit || glm::distance(water->position, glm::dvec3(origin)) <
+                        glm::distance(hit->position, glm::dvec3(origin)))
+          return {through(*water, direction), true};
+    return hit ? Seen{radiance(*hit, direction), true} : Seen{background(), false};
+  }
+
+ private:
+  Halves background() const {
+    Halves halves;
+    halves.fill(paths_.scene.background.color);
+    return halves;
+  }
+
+  /// What the water's surface shows: from above the refracted scene and the reflected background, from below
+  /// the reflected scene and the refracted background.
+  Halves through(const SurfaceHit& surface, const glm::vec3& direction) const {
+    const glm::dvec3 way(direction);
+    glm::dvec3 normal = glm::normalize(glm::dvec3(surface.surface.normal));
+    const bool from_above = glm::dot(normal, way) < 0;
+    if (!from_above) normal = -normal;
+    const double ior(paths_.scene.water->ior), ratio = from_above ? 1 / ior : ior;
+    const double passes = fresnel_transmission(way, normal, ratio);
+    const auto bent = refracted(way, normal, ratio);
+    const glm::vec3 into(from_above && bent ? *bent : glm::reflect(way, normal));
+    const auto hit = closest_surface(paths_, glm::vec3(surface.position), into);
+    Halves below = background();
+    if (hit) {
+      below = radiance(*hit, into);
+      const glm::vec3 absorbed =
+          glm::exp(-paths_.scene.water->absorption * float(glm::distance(hit->position, surface.position)));
+      for (glm::vec3& half : below) half *= absorbed;
+    }
+    const auto share = float(from_above ? passes : 1 - passes);
+    Halves result = background();
+    for (std::size_t half = 0; half < 2; ++half) result[half] = glm::mix(result[half], below[half], share);
+    return result;
+  }
+
+  static glm::vec3 towards(const glm::vec3& normal, const glm::vec3& direction) {
+    const glm::vec3 unit = glm::normalize(normal);
+    return glm::dot(unit, direction) > 0 ? -unit : unit;
+  }
+
   /// Emission and reflected light towards where the ray came from, by each half of the rays.
-  std::array<glm::vec3, 2> radiance(const SurfaceHit& hit, const glm::vec3& direction) const {
+  Halves radiance(const SurfaceHit& hit, const glm::vec3& direction) const {
     const Water& water = *paths_.scene.water;
     const glm::vec3 face = towards(hit.surface.face, direction);
     const glm::vec3 normal = glm::dot(hit.surface.normal, direction) > 0 ? -glm::normalize(hit.surface.normal)
                                                                          : glm::normalize(hit.surface.normal);
-    std::array<glm::vec3, 2> result;
+    Halves result;
     result.fill(hit.surface.material->emission);
     const bool dry = hit.position.y > double(water.height);
     for (glm::vec3& half : result) {
-      if (!dry) half += water.ambient * hit.surface.albedo;
+      half += water.ambient * hit.surface.albedo;
       const std::size_t which = std::size_t(&half - result.data());
       for (const LitMaps& maps : maps_)
         half += hit.surface.albedo * glm::vec3(dry ? direct(maps.light, hit, face, normal)
                                                    : landed(maps, which, hit, face, normal));
     }
     return result;
-  }
-
-  std::optional<SurfaceHit> trace(const glm::vec3& origin, const glm::vec3& direction) const {
-    return closest_surface(paths_, origin, direction);
-  }
-
- private:
-  static glm::vec3 towards(const glm::vec3& normal, const glm::vec3& direction) {
-    const glm::vec3 unit = glm::normalize(normal);
-    return glm::dot(unit, direction) > 0 ? -unit : unit;
   }
 
   LitMaps maps_of(const Light& light) {
@@ -87,7 +149,7 @@ class Pictured {
     if (cosine <= 0 || glm::dot(face, to_light) <= 0) return glm::dvec3(0);
     const double size = double(world_bounds(paths_.scene).diagonal());
     const glm::vec3 start(hit.position + 1e-5 * size * glm::dvec3(face));
-    const auto hinders = trace(start, to_light);
+    const auto hinders = closest_surface(paths_, start, to_light);
     if (hinders &&
         (light.kind == LightKind::directional || glm::distance(hinders->position, hit.position) <
                                                      glm::distance(glm::dvec3(light.position), hit.position)))
@@ -130,6 +192,9 @@ class Pictured {
 
   PathScene paths_;
   const LightTraceOptions& options_;
+  Scene surface_scene_;
+  PathScene surface_;
+  bool shows_surface_ = true;
   std::vector<LitMaps> maps_;
 };
 
@@ -140,7 +205,7 @@ std::string light_tracer_version() {
 }
 
 LightTracedImage light_traced_image(const Scene& scene, const View& view, int width, int height,
-                                    int supersampling, const LightTraceOptions& options) {
+                                    int supersampling, const LightTracedOptions& options) {
   if (!scene.water) throw Error("the scene has no water: nothing to trace light through", scene.name);
   const Pictured pictured(scene, options);
   const PathCamera camera(view.camera, width * supersampling, height * supersampling);
@@ -151,19 +216,16 @@ LightTracedImage light_traced_image(const Scene& scene, const View& view, int wi
     for (int y = next++; y < halves[0].height; y = next++)
       for (int x = 0; x < halves[0].width; ++x) {
         const glm::vec3 direction = camera.direction(x, y);
-        const auto hit = pictured.trace(camera.position(), direction);
-        std::array<glm::vec3, 2> shown;
-        shown.fill(scene.background.color);
-        if (hit) shown = pictured.radiance(*hit, direction);
+        const Seen seen = pictured.along(camera.position(), direction);
         for (std::size_t half = 0; half < 2; ++half) {
           const auto pixel = halves[half].pixel(x, y);
-          for (int c = 0; c < 3; ++c) pixel[std::size_t(c)] = shown[half][c];
-          pixel[3] = hit ? 1.0f : 0.0f;
+          for (int c = 0; c < 3; ++c) pixel[std::size_t(c)] = seen.color[half][c];
+          pixel[3] = seen.covered ? 1.0f : 0.0f;
         }
       }
   };
   std::vector<std::future<void>> helpers;
-  for (int i = 1; i < options.threads; ++i) helpers.push_back(std::async(std::launch::async, work));
+  for (int i = 1; i < options.trace.threads; ++i) helpers.push_back(std::async(std::launch::async, work));
   work();
   for (std::future<void>& helper : helpers) helper.get();
   LightTracedImage result{box_downsample(halves[0], supersampling), 0};
@@ -187,16 +249,19 @@ std::vector<ParamSpec> light_tracer_params() {
       integer_param("map_size", defaults.map_size, 16, 8192,
                     "texels along an edge of the maps that rays land in"),
       boolean_param("fresnel", defaults.fresnel, "whether the water reflects a part of the light"),
+      boolean_param("surface", true,
+                    "show the water's surface: what is below it refracted, and the background reflected"),
       integer_param("seed", int(defaults.seed), 0, 2147483647, "of the random choices"),
   };
 }
 
-LightTraceOptions light_tracer_options(const ParamValues& params) {
-  LightTraceOptions options;
-  options.rays = params.integer("rays");
-  options.map_size = params.integer("map_size");
-  options.fresnel = params.boolean("fresnel");
-  options.seed = std::uint64_t(params.integer("seed"));
+LightTracedOptions light_tracer_options(const ParamValues& params) {
+  LightTracedOptions options;
+  options.trace.rays = params.integer("rays");
+  options.trace.map_size = params.integer("map_size");
+  options.trace.fresnel = params.boolean("fresnel");
+  options.trace.seed = std::uint64_t(params.integer("seed"));
+  options.surface = params.boolean("surface");
   return options;
 }
 

@@ -1,5 +1,4 @@
-// What shows without the light that comes through the water: emission, the water's ambient light on what is below it,
-// and what was lit directly on what is above.
+// What shows without the light that comes through the water: emission, ambient light, and direct light on what is above.
 #include "shaders/gbuffer.glsl"
 
 layout(location = 0) out vec4 lit;
@@ -14,11 +13,8 @@ void main() {
   lit = texelFetch(gbuffer_emission, pixel, 0);
   float z = gbuffer_z(pixel);
   if (z <= 0.0) return;
-  if (gbuffer_position(pixel, z).y > water_height) {
 #ifdef WITH_DRY
-    lit = texelFetch(direct, pixel, 0);
+  if (gbuffer_position(pixel, z).y > water_height) lit = texelFetch(direct, pixel, 0);
 #endif
-    return;
-  }
   lit.rgb += ambient * texelFetch(gbuffer_albedo, pixel, 0).rgb;
 }
