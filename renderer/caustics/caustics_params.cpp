@@ -1,5 +1,7 @@
 #include "renderer/caustics/caustics_params.h"
 
+#include <algorithm>
+
 #include "renderer/direct_light.h"
 
 namespace lightbench {
@@ -37,6 +39,8 @@ std::vector<ParamSpec> caustics_params() {
           "of the image of a triangle of the water, in texels: where light folds it goes to 0, and its "
           "brightness beyond all bounds"),
       boolean_param("fresnel", false, "whether the water reflects a part of the light"),
+      boolean_param("level_of_detail", false,
+                    "cut a receiver into no more slices than it is pixels large in the picture"),
       boolean_param(
           "surface", true,
           "draw the water's surface, which shows what is below it refracted and the background reflected"),
@@ -54,6 +58,7 @@ std::vector<ParamSpec> caustics_params() {
 CausticsOptions caustics_options(const ParamValues& params) {
   CausticsOptions options;
   options.map_size = params.integer("map_size");
+  options.level_of_detail = params.boolean("level_of_detail");
   options.surface = params.boolean("surface");
   options.fresnel = params.boolean("fresnel");
   options.culling = params.boolean("culling") ? VolumeCulling::on : VolumeCulling::off;
@@ -65,16 +70,20 @@ CausticsOptions caustics_options(const ParamValues& params) {
                               : slicing == "uniform" ? Slicing::uniform
                                                      : Slicing::smart_read_back;
   options.least_area = params.number("least_area");
-  options.hit.slices = options.level_map.slices;
   options.hit.steps = params.integer("steps");
   options.hit.straddling = params.text("straddling") == "split" ? Straddling::split : Straddling::drop;
-  options.volumetric.slices = options.level_map.slices;
   options.volumetric.drawing =
       params.text("slice_images") == "whole" ? SliceDrawing::whole : SliceDrawing::clusters;
   const std::string& method = params.text("method");
   options.method = method == "level_map" ? CausticsMethod::level_map
                    : method == "hit"     ? CausticsMethod::hit
                                          : CausticsMethod::volumetric;
+  return with_slices(options, options.level_map.slices);
+}
+
+CausticsOptions with_slices(CausticsOptions options, int most) {
+  const int slices = std::min(options.level_map.slices, most);
+  options.level_map.slices = options.hit.slices = options.volumetric.slices = slices;
   return options;
 }
 

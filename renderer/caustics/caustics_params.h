@@ -16,6 +16,7 @@ struct CausticsOptions {
   CausticsMethod method = CausticsMethod::level_map;
   int map_size = 512;  ///< texels along the edge of a receiver's maps
   bool fresnel = false;
+  bool level_of_detail = false;  ///< no more slices than the receiver is pixels large
   VolumeCulling culling = VolumeCulling::on;
   bool surface = true;  ///< whether the water's surface is drawn
   ReceiverColor color = ReceiverColor::surface;
@@ -28,5 +29,8 @@ struct CausticsOptions {
 /// The rows of technique `caustics`, and the options made from their values.
 std::vector<ParamSpec> caustics_params();
 CausticsOptions caustics_options(const ParamValues& params);
+
+/// The same, with at most so many slices by every method.
+CausticsOptions with_slices(CausticsOptions options, int most);
 
 }  // namespace lightbench

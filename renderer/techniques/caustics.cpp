@@ -1,5 +1,6 @@
 #include "renderer/techniques/caustics.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "renderer/caustics/caustics_cast.h"
@@ -57,6 +58,13 @@ struct BelowWater {
   std::optional<CausticsPicture> picture;
 };
 
+CausticsOptions detailed(const FrameContext& frame, std::size_t receiver, const CausticsOptions& options) {
+  if (!options.level_of_detail) return options;
+  const PixelRect pixels = pixels_of_box(entity_bounds(frame.scene(), receiver),
+                                         frame.camera().clip_from_world, {frame.width(), frame.height()});
+  return with_slices(options, std::max({1, pixels.size.x, pixels.size.y}));
+}
+
 void light(FrameContext& frame, const CausticsOptions& options, const Mesh& mesh,
            const std::vector<CausticsPicture*>& pictures) {
   const Scene& scene = frame.scene();
@@ -78,7 +86,7 @@ void light(FrameContext& frame, const CausticsOptions& options, const Mesh& mesh
                  [&] { map = draw_receiver_map(frame, box, receiver, options.map_size, options.color); });
       frame.pass("caustics", [&] {
         const Volumes volumes(rays, map, water.absorption, options.least_area);
-        caustics = draw_caustics(frame, map, volumes, options);
+        caustics = draw_caustics(frame, map, volumes, detailed(frame, receiver, options));
       });
       frame.pass("cast", [&] {
         for (CausticsPicture* picture : pictures) picture->cast(map, caustics);

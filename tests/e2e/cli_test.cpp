@@ -49,8 +49,9 @@ INSTANTIATE_TEST_SUITE_P(
                       std::vector<std::string>{"report"}, std::vector<std::string>{"bench"},
                       std::vector<std::string>{"render"}, std::vector<std::string>{"export"},
                       std::vector<std::string>{"reference"}, std::vector<std::string>{"compare"},
-                      std::vector<std::string>{"cameras"}, std::vector<std::string>{"scene", "check"},
-                      std::vector<std::string>{"list"}, std::vector<std::string>{"schema"}));
+                      std::vector<std::string>{"cameras"}, std::vector<std::string>{"caustics"},
+                      std::vector<std::string>{"scene", "check"}, std::vector<std::string>{"list"},
+                      std::vector<std::string>{"schema"}));
 
 TEST_F(Cli, TheVersionNamesTheTools) {
   fake_povray("");
