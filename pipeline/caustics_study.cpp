@@ -114,8 +114,8 @@ FluxField povray_flux(const Scene& scene, const ReceiverBox& box, const std::vec
   return field;
 }
 
-/// With the triangles' own normals: POV-Ray looks for photons near the plane of the normal, and a smooth one misses
-/// those on the triangle.
+/// With the triangles' own normals: POV-Ray looks for photons near the plane of the normal, and a smooth one
+/// misses those on the triangle.
 Mesh faceted(const Mesh& mesh) {
   Mesh result = mesh;
   result.positions.clear();
@@ -214,8 +214,8 @@ std::vector<ReceiverFigures> study_caustics(const Scene& scene, const CausticsSt
                                             const std::function<void(const std::string&)>& progress) {
   if (!scene.water) throw Error("the scene has no water", scene.name);
   for (const Light& light : scene.lights)
-    if (std::string problem = water_light_problem(scene, light); !problem.empty())
-      throw Error(std::move(problem), scene.name);
+    if (const std::string problem = water_light_problem(scene, light); !problem.empty())
+      throw Error(problem, scene.name);
   Study study(scene, options, progress);
   std::vector<ReceiverFigures> figures;
   for (const Light& light : scene.lights)

@@ -56,8 +56,8 @@ class Pictured {
         surface_(surface_scene_) {
     shows_surface_ = options.surface;
     for (const Light& light : scene.lights) {
-      if (std::string problem = water_light_problem(scene, light); !problem.empty())
-        throw Error(std::move(problem), scene.name);
+      if (const std::string problem = water_light_problem(scene, light); !problem.empty())
+        throw Error(problem, scene.name);
       maps_.push_back(maps_of(light));
     }
   }

@@ -136,7 +136,7 @@ class LightTracer {
     std::array<bool, kPacket> lit =
         unhindered(packet, count, [](const Photon& p) { return std::pair(p.origin, p.to_light); });
     RTCRayHit8 rays;
-    std::array<int, kPacket> valid{};
+    alignas(32) std::array<int, kPacket> valid{};  // as Embree asks
     for (int i = 0; i < count; ++i) {
       if (!lit[std::size_t(i)]) continue;
       const Photon& photon = packet[std::size_t(i)];
@@ -194,7 +194,7 @@ class LightTracer {
   std::array<bool, kPacket> unhindered(const std::array<Item, kPacket>& items, int count,
                                        const Segment& segment) {
     RTCRay8 rays;
-    std::array<int, kPacket> valid{};
+    alignas(32) std::array<int, kPacket> valid{};  // as Embree asks
     for (int i = 0; i < count; ++i) {
       valid[std::size_t(i)] = -1;
       const auto [origin, way] = segment(items[std::size_t(i)]);

@@ -181,7 +181,7 @@ PcaStack read_pca(const fs::path& file) {
   const char* at = bytes.data() + sizeof header;
   for_arrays(stack, header, [&](auto& numbers, std::uint64_t count) {
     numbers.resize(count);
-    std::memcpy(numbers.data(), at, count * sizeof(numbers[0]));
+    std::copy_n(at, count * sizeof(numbers[0]), reinterpret_cast<char*>(numbers.data()));
     at += count * sizeof(numbers[0]);
   });
   check_contents(stack, checks);

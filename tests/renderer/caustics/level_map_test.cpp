@@ -100,6 +100,35 @@ TEST(GlLevelMap, ShowsWhatTheLightTracerShows) {
   }
 }
 
+/// Of what enters the water of a tank without a gap, the share that lands on its floor and walls.
+double landed_share(const Scene& scene) {
+  double landed = 0, entered = 0;
+  for (std::size_t entity = 0; entity < scene.entities.size(); ++entity) {
+    const ReceiverBox box = receiver_box(scene, entity, scene.lights[0]);
+    const FluxField field = flux_field(level_map(scene, entity, {}, 512));
+    for (const double flux : field.values)
+      landed += flux * box.size.x * box.size.z / double(field.values.size());
+  }
+  for (const glm::vec3& flux :
+       water_light(*scene.water, water_mesh(*scene.water, 0), scene.lights[0], false).flux)
+    entered += double(flux.r);
+  return landed / entered;
+}
+
+TEST(GlLevelMap, AClosedTankKeepsAllLight) {
+  Scene scene = pool_scene({0.5f, -1, 0.3f});
+  scene.water->grid = {71, 71};
+  for (const float side : {-1.0f, 1.0f}) {
+    const float near = side * 2, far = side * 2.2f;
+    add_box(scene, "wall", {{std::min(near, far), 0, -2.2f}, {std::max(near, far), 2.3f, 2.2f}});
+    add_box(scene, "wall", {{-2, 0, std::min(near, far)}, {2, 2.3f, std::max(near, far)}});
+  }
+  EXPECT_NEAR(landed_share(scene), 1, 0.01);
+  scene.water->waves = {{0.03f, 1.1f, {0.6f, 0.8f}, 0, 0}, {0.02f, 0.8f, {-0.8f, 0.6f}, 0, 1}};
+  // What waves bend behind the map's edges is missing, what they bend before them is lit twice.
+  EXPECT_NEAR(landed_share(scene), 1, 0.03);
+}
+
 TEST(GlLevelMap, WhatStandsAboveShadesWhatIsBelow) {
   Scene scene = pool_scene({0, -1, 0});
   add_box(scene, "stone", {{-0.5f, 0, -0.5f}, {0.5f, 0.1f, 0.5f}});

@@ -29,7 +29,7 @@ glm::dvec3 mean_between(const FluxMap& map, double low, double high) {
     for (int x = 0; x < map.size; ++x) {
       const double u = (x + 0.5) / map.size, w = (y + 0.5) / map.size;
       if (u < low || u > high || w < low || w > high) continue;
-      sum += glm::dvec3(map.texels[std::size_t(y * map.size + x)]);
+      sum += glm::dvec3(map.texels[std::size_t(y) * std::size_t(map.size) + std::size_t(x)]);
       ++count;
     }
   return sum / double(count);
