@@ -99,7 +99,8 @@ TEST(GlWaterView, TheSurfaceReflectsTheBackgroundAndDarkensWhatIsBelow) {
   scene.water->absorption = {0, 0.2f, 0};
   View view = top_view(6);
   view.camera.fov = 0.2f;
-  const auto pixel = drawn(scene, view).image.pixel(kWidth / 2, kHeight / 2);
+  const Image image = drawn(scene, view).image;
+  const auto pixel = image.pixel(kWidth / 2, kHeight / 2);
   const double reflected = std::pow(0.333 / 2.333, 2), way = 2;
   // The light comes down through two units of water, and goes up through them.
   EXPECT_NEAR(double(pixel[0]), 0.8 * (1 - reflected) + 0.5 * reflected, 2e-3);
@@ -113,13 +114,13 @@ TEST(GlWaterView, FromBelowASteepRaySeesTheSkyAndAFlatOneTheFloor) {
   View view = top_view(1);
   view.camera.look_at = {0, 2, 0};
   view.camera.fov = 0.2f;
-  const auto up = drawn(scene, view).image.pixel(kWidth / 2, kHeight / 2);
-  EXPECT_GT(up[2], 0.95f);
+  const Image up = drawn(scene, view).image;
+  EXPECT_GT(up.pixel(kWidth / 2, kHeight / 2)[2], 0.95f);
   view.camera.look_at = {1, 1.85f, 0};  // just beyond the angle of total reflection
   view.camera.up = {0, 1, 0};
-  const auto aside = drawn(scene, view).image.pixel(kWidth / 2, kHeight / 2);
-  EXPECT_NEAR(double(aside[0]), 0.8 * 0.5, 1e-3) << "the floor, reflected";
-  EXPECT_EQ(aside[2], 0);
+  const Image aside = drawn(scene, view).image;
+  EXPECT_NEAR(double(aside.pixel(kWidth / 2, kHeight / 2)[0]), 0.8 * 0.5, 1e-3) << "the floor, reflected";
+  EXPECT_EQ(aside.pixel(kWidth / 2, kHeight / 2)[2], 0);
 }
 
 }  // namespace
