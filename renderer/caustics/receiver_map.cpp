@@ -57,10 +57,20 @@ ReceiverPrograms receiver_programs(FrameContext& frame, const ReceiverMap& map, 
   return {solid, cutout};
 }
 
-void set_map_state() {
-  set_surface_state();
-  glDisable(GL_STENCIL_TEST);
-}
+/// The box's depth is written as it is. Triangles that reach beyond what is drawn are not cut there, so that
+/// they are interpolated to the same bits by the whole box and by its slices.
+class MapState {
+ public:
+  MapState() {
+    set_surface_state();
+    glDepthFunc(GL_LESS);
+    glDisable(GL_STENCIL_TEST);
+    glEnable(GL_DEPTH_CLAMP);
+  }
+  MapState(const MapState&) = delete;
+  MapState& operator=(const MapState&) = delete;
+  ~MapState() { glDisable(GL_DEPTH_CLAMP); }
+};
 
 }  // namespace
 
@@ -75,8 +85,8 @@ ReceiverMap draw_receiver_map(FrameContext& frame, const ReceiverBox& box, std::
   target.bind();
   target.clear_color(0, 2, 0, 0, 0);
   if (colored) target.clear_color(1, 0, 0, 0, 0);
-  target.clear_depth(0);
-  set_map_state();
+  target.clear_depth(1);
+  const MapState state;
   const auto [solid, cutout] =
       receiver_programs(frame, map, colored ? ShaderDefines{"WITH_DIFFUSE"} : ShaderDefines{});
   const double over = reach_over(box, frame.gpu_scene().bounds());
@@ -89,22 +99,19 @@ void draw_slice(FrameContext& frame, const ReceiverMap& map, const Slice& slice,
                 FrustumCulling culling) {
   target.bind();
   target.clear_color(0, 0, 0, 0, 0);
-  target.clear_depth(0);
-  set_map_state();
+  target.clear_depth(1);
+  const MapState state;
   const auto [solid, cutout] = receiver_programs(frame, map, {"SLICE"});
   for (const Program* program : {&solid, &cutout}) {
     program->set("slice", slice.plane);
     program->set("slices", float(slice.slices));
   }
-  // A little more than what is nearest to the plane. Triangles that reach beyond are not cut, or they would
-  // not be drawn to the bit as in the position map.
+  // A little more than what is nearest to the plane.
   const double over = reach_over(map.box, frame.gpu_scene().bounds()), half = 0.501 / slice.slices;
   const double depth = double(slice.plane) / slice.slices;
   const double near = slice.plane == 0 ? -over : depth - half;
-  glEnable(GL_DEPTH_CLAMP);
   frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(map.box, near, depth + half), map.box.center,
                                   culling);
-  glDisable(GL_DEPTH_CLAMP);
 }
 
 GlTexture draw_plane_depths(FrameContext& frame, const ReceiverMap& map, int slices) {

@@ -1,6 +1,9 @@
 // The planes across a receiver's box: 0 on the side of the light to `slices` on the far one.
 
-int nearest_plane(float depth, float slices) { return int(floor(depth * slices + 0.5)); }
+int nearest_plane(float depth, float slices) {
+  precise float place = depth * slices + 0.5;  // alike in all programs
+  return int(floor(place));
+}
 
 // The one that a texel of the position map belongs to: each surface point belongs to exactly one. -1: the receiver is
 // not what the light meets there.

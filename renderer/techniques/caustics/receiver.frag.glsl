@@ -36,7 +36,10 @@ void main() {
   if (is_cut_out(surface_uv)) discard;
 #endif
   if (relative_position.y > water_top) discard;
-  place = vec2(dot(depth_in_box, vec4(relative_position, 1.0)), entity == receiver ? 1.0 : 0.0);
+  precise float depth = dot(depth_in_box, vec4(relative_position, 1.0));
+  place = vec2(depth, entity == receiver ? 1.0 : 0.0);
+  // Exactly what is kept, so that slices of the box agree with the whole of it on what is nearest.
+  gl_FragDepth = clamp(place.x, 0.0, 1.0);
 #ifdef SLICE
   // What stands over the box comes first.
   if (max(nearest_plane(place.x, slices), 0) != slice) discard;
