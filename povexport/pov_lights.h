@@ -15,13 +15,14 @@ struct PovSpace {
   double scale = 1;
 };
 
-/// A light as POV-Ray's light_source: one for each of its points and each part of its attenuation. (POV-Ray's
-/// own area_light weighs its points otherwise where they are in part hidden, and is a point light to the rays
-/// that gather indirect light.)
 struct PovLightOptions {
   bool shadowless = false;
   bool photons = false;  ///< sends photons through what refracts them
 };
+
+/// A light as POV-Ray's light_source: one for each of its points and each part of its attenuation. (POV-Ray's
+/// own area_light weighs its points otherwise where they are in part hidden, and is a point light to the rays
+/// that gather indirect light.)
 PovWriter pov_light(const Light& light, const PovSpace& space, const PovLightOptions& options = {});
 
 /// What of a light has no exact counterpart, as a sentence for the report, or nothing.

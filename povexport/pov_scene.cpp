@@ -16,12 +16,13 @@ namespace {
 
 constexpr const char* kSceneInclude = "scene.inc";
 
+constexpr double kSize = 1024, kSizeWithPhotons = 4;  // of a scene's diagonal, in POV-Ray's units
+
 /// POV-Ray takes nothing for a hit that is nearer to a ray's origin than a fixed length, 0.001: light leaks
 /// where things touch in a small scene, and in a large one rays hit the surface that they leave. So every
 /// scene is brought to the size at which that length is a millionth of it. A power of two leaves all
 /// coordinates exact. Photons, though, are missed on curved and tilted surfaces of large scenes (a fifth of
 /// them on a ball in one of this size, a thirtieth at 64), which are found at a few units.
-constexpr double kSize = 1024, kSizeWithPhotons = 4;
 PovSpace pov_space(const Scene& scene) {
   const Bounds bounds = swept_bounds(scene);
   const double diagonal = bounds.diagonal();

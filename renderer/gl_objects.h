@@ -150,6 +150,11 @@ class DrawCommands {
   Buffer buffer_;
 };
 
+template <typename T>
+Buffer buffer_of(const std::vector<T>& values) {
+  return Buffer(values.data(), values.size() * sizeof(T));
+}
+
 enum class BufferFormat { r16ui, r32ui, rg32ui, rgba8ui };
 
 /// A long row of whole numbers that shaders read with texelFetch from a usamplerBuffer.

@@ -60,11 +60,6 @@ void split(const Mesh& mesh, std::span<std::uint32_t> triangles, std::uint32_t m
   split(mesh, triangles.subspan(half), max_triangles, first + std::uint32_t(half), clusters);
 }
 
-template <typename T>
-Buffer buffer_of(const std::vector<T>& values) {
-  return Buffer(values.data(), values.size() * sizeof(T));
-}
-
 // Linear light in 16 bits: drivers may decode sRGB texels coarsely (to 1/500 in llvmpipe), and filtering is
 // to be done in linear light.
 std::vector<std::uint16_t> linear_texels(const Image8& pixels) {
@@ -148,7 +143,15 @@ void GpuScene::place(const Scene& scene) {
     instances.push_back({entity.mesh, glm::dmat4(entity.transform)});
   if (instances == instances_) return;  // the bounds of large scenes take their time
   instances_ = std::move(instances);
-  bounds_ = world_bounds(scene);
+  entity_bounds_.clear();
+  for (std::size_t i = 0; i < scene.entities.size(); ++i)
+    entity_bounds_.push_back(lightbench::entity_bounds(scene, i));
+  bounds_ = {};
+  for (const Bounds& entity : entity_bounds_) {
+    if (entity.empty()) continue;
+    bounds_.add(entity.min);
+    bounds_.add(entity.max);
+  }
 }
 
 void GpuScene::upload_mesh(const Scene& scene, const Mesh& mesh) {

@@ -48,6 +48,9 @@ class GpuScene {
 
   const GlTexture& texture(TextureIndex index) const { return textures_[std::size_t(index)]; }
   const Bounds& bounds() const { return bounds_; }  ///< in world space
+  const Bounds& entity_bounds(std::size_t entity) const {
+    return entity_bounds_[entity];
+  }  ///< in world space
 
  private:
   struct Part {
@@ -79,6 +82,7 @@ class GpuScene {
   std::vector<GpuMesh> meshes_;
   std::vector<Instance> instances_;
   Buffer materials_;
+  std::vector<Bounds> entity_bounds_;
   Bounds bounds_;
 };
 

@@ -2,6 +2,7 @@
 
 #include "renderer/caustics/caustics_shaders.h"
 #include "renderer/frame_context.h"
+#include "renderer/gpu_scene.h"
 
 namespace lightbench {
 namespace {
@@ -49,8 +50,8 @@ void CausticsPicture::cast(const ReceiverMap& map, const GlTexture& caustics) {
   caustics.bind(kCaustics);
   if (map_color) map.diffuse.bind(kDiffuse);
   DrawOn where = kObjects;
-  where.pixels = pixels_of_box(entity_bounds(frame_.scene(), map.receiver), gbuffer_.camera.clip_from_world,
-                               {gbuffer_.width, gbuffer_.height});
+  where.pixels = pixels_of_box(frame_.gpu_scene().entity_bounds(map.receiver),
+                               gbuffer_.camera.clip_from_world, {gbuffer_.width, gbuffer_.height});
   frame_.draw_fullscreen(Framebuffer({&image_, &landed_}, &gbuffer_.depth_stencil), program, Blend::add,
                          where);
 }

@@ -78,7 +78,7 @@ VolumeList list_straddling(FrameContext& frame, const Volumes& volumes, const Bu
   volumes.corners.bind_storage(2);
   list.numbers.bind_storage(3);
   list.corners.bind_storage(4);
-  list.command.bind_storage(5);
+  list.command.bind_storage(kDrawVolumesBlock);
   frame.compute(write, runs);
   return list;
 }
@@ -90,13 +90,7 @@ void draw_landings(FrameContext& frame, const ReceiverMap& map, const Volumes& v
   const Framebuffer target({&caustics});
   target.bind();
   target.clear_color(0, 0, 0, 0, 0);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_STENCIL_TEST);
-  glDisable(GL_DEPTH_TEST);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_ONE, GL_ONE);
+  set_adding_state();
   program.use();
   program.set("tolerance", 2 / float(options.slices));
   volumes.set_uniforms(program);

@@ -13,15 +13,11 @@ namespace {
 // Storage blocks of volume.vert.glsl and volume.frag.glsl.
 enum Block : unsigned { kTriangles, kPlanes, kListed };
 
-Buffer whole_numbers(const std::vector<std::uint32_t>& values) {
-  return Buffer(values.data(), values.size() * sizeof(std::uint32_t));
-}
-
 /// Lists the used planes, and has `command` draw as many instances.
 Buffer list_used_planes(FrameContext& frame, const ReceiverMap& map, int slices, const Buffer& command) {
   const std::vector<std::uint32_t> none(std::size_t(slices) + 1, 0);
-  const Buffer used = whole_numbers(none);
-  Buffer planes = whole_numbers(none);
+  const Buffer used = buffer_of(none);
+  Buffer planes = buffer_of(none);
   const Program& find = frame.compute_program(kUsedPlanes);
   find.set("slices", float(slices));
   map.places.bind(0);
@@ -30,26 +26,17 @@ Buffer list_used_planes(FrameContext& frame, const ReceiverMap& map, int slices,
   const Program& list = frame.compute_program(kListPlanes);
   list.set("plane_count", slices + 1);
   planes.bind_storage(1);
-  command.bind_storage(2);
+  command.bind_storage(kDrawVolumesBlock);
   frame.compute(list, 1);
   return planes;
 }
 
 void set_volume_state(PlaneTest test) {
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_SCISSOR_TEST);
-  glDisable(GL_STENCIL_TEST);
-  glEnable(GL_BLEND);
-  glBlendEquation(GL_FUNC_ADD);
-  glBlendFunc(GL_ONE, GL_ONE);
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (test == PlaneTest::equal) {
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_EQUAL);
-    glDepthMask(GL_FALSE);
-  } else {
-    glDisable(GL_DEPTH_TEST);
-  }
+  set_adding_state();
+  if (test == PlaneTest::discard) return;
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_EQUAL);
+  glDepthMask(GL_FALSE);
 }
 
 void use(const Program& program, const ReceiverMap& map, const Volumes& volumes, int slices) {
@@ -96,7 +83,7 @@ GlTexture draw_level_map(FrameContext& frame, const ReceiverMap& map, const Volu
   if (options.slicing == Slicing::smart) planes = list_used_planes(frame, map, options.slices, command);
   if (options.slicing == Slicing::smart_read_back) {
     read = used_planes(map, options.slices);
-    planes = whole_numbers(read);
+    planes = buffer_of(read);
   }
   ShaderDefines defines;
   if (options.test == PlaneTest::discard) defines.emplace_back("PLANE_DISCARD");

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "renderer/caustics/receiver_texels.h"
 #include "renderer/caustics/water_light.h"
+#include "renderer/paths/closest_surface.h"
 #include "renderer/paths/half_error.h"
 #include "renderer/paths/path_scene.h"
 #include "scene/water.h"
@@ -113,17 +114,15 @@ class Pictured {
   Halves radiance(const SurfaceHit& hit, const glm::vec3& direction) const {
     const Water& water = *paths_.scene.water;
     const glm::vec3 face = towards(hit.surface.face, direction);
-    const glm::vec3 normal = glm::dot(hit.surface.normal, direction) > 0 ? -glm::normalize(hit.surface.normal)
-                                                                         : glm::normalize(hit.surface.normal);
+    const glm::vec3 normal = towards(hit.surface.normal, direction);
     Halves result;
     result.fill(hit.surface.material->emission);
     const bool dry = hit.position.y > double(water.height);
-    for (glm::vec3& half : result) {
-      half += water.ambient * hit.surface.albedo;
-      const std::size_t which = std::size_t(&half - result.data());
+    for (std::size_t half = 0; half < result.size(); ++half) {
+      result[half] += water.ambient * hit.surface.albedo;
       for (const LitMaps& maps : maps_)
-        half += hit.surface.albedo * glm::vec3(dry ? direct(maps.light, hit, face, normal)
-                                                   : landed(maps, which, hit, face, normal));
+        result[half] += hit.surface.albedo * glm::vec3(dry ? direct(maps.light, hit, face, normal)
+                                                           : landed(maps, half, hit, face, normal));
     }
     return result;
   }

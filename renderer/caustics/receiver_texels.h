@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -21,14 +20,5 @@ struct ReceiverTexel {
 /// x along u, then y along w, by exact rays.
 std::vector<ReceiverTexel> receiver_texels(const PathScene& scene, const ReceiverBox& box,
                                            std::size_t receiver, int size);
-
-/// What a ray meets from `near` on.
-struct SurfaceHit {
-  std::size_t entity;
-  glm::dvec3 position;
-  SurfacePoint surface;
-};
-std::optional<SurfaceHit> closest_surface(const PathScene& scene, const glm::vec3& origin,
-                                          const glm::vec3& direction, float near = 0);
 
 }  // namespace lightbench

@@ -1,14 +1,11 @@
 #include "renderer/caustics/volumes.h"
 
+#include <glad/gl.h>
+
 #include "renderer/gl_program.h"
 
 namespace lightbench {
 namespace {
-
-template <typename T>
-Buffer buffer_of(const std::vector<T>& values) {
-  return Buffer(values.data(), values.size() * sizeof(T));
-}
 
 void attach_rays(VertexArray& vertices, const Volumes& volumes, const Buffer& corners) {
   vertices.attribute(0, volumes.places, 4);
@@ -17,6 +14,17 @@ void attach_rays(VertexArray& vertices, const Volumes& volumes, const Buffer& co
 }
 
 }  // namespace
+
+void set_adding_state() {
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFunc(GL_ONE, GL_ONE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
 
 Volumes::Volumes(const MapRays& rays, const ReceiverMap& map, const glm::vec3& absorption_,
                  double least_texels)

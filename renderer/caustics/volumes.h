@@ -31,6 +31,9 @@ struct Volumes {
   float least_area = 0;  ///< in the world
 };
 
+/// Whatever is drawn is added to the target, everywhere.
+void set_adding_state();
+
 /// As glDrawElementsIndirect reads it: which volumes are drawn how many times is known to shaders alone.
 struct DrawVolumes {
   std::uint32_t indices = 0;
@@ -39,6 +42,8 @@ struct DrawVolumes {
   std::uint32_t base_vertex = 0;
   std::uint32_t base_instance = 0;
 };
+
+inline constexpr unsigned kDrawVolumesBlock = 5;  ///< of techniques/caustics/draw_volumes.glsl
 
 /// A part of volumes, made by shaders.
 struct VolumeList {

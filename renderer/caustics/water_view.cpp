@@ -102,11 +102,6 @@ FrameCamera camera_for(const std::vector<SentRay>& rays, const Bounds& bounds) {
 /// Of surfaces to the map that are told from edges.
 constexpr float kSteepest = 8;
 
-template <typename T>
-Buffer buffer_of(const std::vector<T>& values) {
-  return Buffer(values.data(), values.size() * sizeof(T));
-}
-
 }  // namespace
 
 WaterView::WaterView(FrameContext& frame, const Mesh& mesh) : frame_(frame) {
@@ -126,11 +121,11 @@ WaterView::WaterView(FrameContext& frame, const Mesh& mesh) : frame_(frame) {
   vertices_.indices(indices_);
 }
 
-WaterView::Drawn WaterView::draw(const GBuffer& gbuffer, const CausticsPicture& picture,
-                                 const GBuffer& below_gbuffer, const CausticsPicture& below) const {
+GlTexture WaterView::draw(const GBuffer& gbuffer, const CausticsPicture& picture,
+                          const GBuffer& below_gbuffer, const CausticsPicture& below) const {
   const Water& water = *frame_.scene().water;
-  Drawn drawn{GlTexture(TexelFormat::rgba32f, gbuffer.width, gbuffer.height)};
-  const Framebuffer target({&picture.image(), &drawn.seen}, &gbuffer.depth_stencil);
+  GlTexture seen(TexelFormat::rgba32f, gbuffer.width, gbuffer.height);
+  const Framebuffer target({&picture.image(), &seen}, &gbuffer.depth_stencil);
   target.bind();
   target.clear_color(1, 0, 0, 0, 0);
   set_surface_state();
@@ -153,7 +148,7 @@ WaterView::Drawn WaterView::draw(const GBuffer& gbuffer, const CausticsPicture& 
   below.image().bind(1);
   glBindVertexArray(vertices_.id());
   glDrawElements(GL_TRIANGLES, 3 * triangle_count_, GL_UNSIGNED_INT, nullptr);
-  return drawn;
+  return seen;
 }
 
 }  // namespace lightbench

@@ -24,13 +24,10 @@ class WaterView {
   /// The picture's edge, in pixels.
   static constexpr int kSize = 1024;
 
-  struct Drawn {
-    GlTexture seen;  ///< RGBA32F: relative to the camera, what a pixel of the surface shows; a: 1 where there
-                     ///< is any
-  };
   /// Draws the surface over `picture`, whose depth hides it; `below` is the scene from camera(), of kSize.
-  Drawn draw(const GBuffer& gbuffer, const CausticsPicture& picture, const GBuffer& below_gbuffer,
-             const CausticsPicture& below) const;
+  /// Returns RGBA32F: relative to the camera, what a pixel of the surface shows; a: 1 where there is any.
+  GlTexture draw(const GBuffer& gbuffer, const CausticsPicture& picture, const GBuffer& below_gbuffer,
+                 const CausticsPicture& below) const;
 
  private:
   FrameContext& frame_;

@@ -23,11 +23,6 @@ GlTexture layers_of(TexelFormat format, glm::ivec2 size, const std::vector<Entry
 }
 
 template <typename Entry>
-Buffer buffer_of(const std::vector<Entry>& entries) {
-  return Buffer(entries.data(), entries.size() * sizeof(Entry));
-}
-
-template <typename Entry>
 BufferTexture buffer_texture_of(BufferFormat format, const std::vector<Entry>& entries) {
   return BufferTexture(format, entries.data(), entries.size());
 }

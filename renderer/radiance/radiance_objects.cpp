@@ -15,11 +15,6 @@ std::string key_of(const std::filesystem::path& folder, const ParamValues& param
   return folder.string() + "\n" + bake_params_text(params) + codec_params_text(params);
 }
 
-template <typename T>
-Buffer buffer_of(const std::vector<T>& values) {
-  return Buffer(values.data(), values.size() * sizeof(T));
-}
-
 /// Whether a triangle's corners run so that its front, to which the normals point, is seen anticlockwise.
 bool runs_forward(const Mesh& mesh, const glm::uvec3& t) {
   const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];

@@ -24,7 +24,7 @@ std::vector<std::size_t> receivers(const FrameContext& frame, bool all) {
   const Scene& scene = frame.scene();
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < scene.entities.size(); ++i) {
-    const Bounds bounds = entity_bounds(scene, i);
+    const Bounds& bounds = frame.gpu_scene().entity_bounds(i);
     if (bounds.empty() || bounds.min.y > scene.water->height) continue;
     if (all || may_be_visible(bounds, frame.camera().clip_from_world)) result.push_back(i);
   }
@@ -60,7 +60,7 @@ struct BelowWater {
 
 CausticsOptions detailed(const FrameContext& frame, std::size_t receiver, const CausticsOptions& options) {
   if (!options.level_of_detail) return options;
-  const PixelRect pixels = pixels_of_box(entity_bounds(frame.scene(), receiver),
+  const PixelRect pixels = pixels_of_box(frame.gpu_scene().entity_bounds(receiver),
                                          frame.camera().clip_from_world, {frame.width(), frame.height()});
   return with_slices(options, std::max({1, pixels.size.x, pixels.size.y}));
 }
@@ -126,10 +126,10 @@ void render(FrameContext& frame, const ParamValues& params) {
   if (below && below->picture) pictures.push_back(&*below->picture);
   light(frame, options, mesh, pictures);
   if (below && below->picture) {
-    WaterView::Drawn surface;
+    GlTexture seen;
     frame.pass("surface",
-               [&] { surface = below->view.draw(gbuffer, picture, below->gbuffer, *below->picture); });
-    if (frame.wants("through")) frame.keep_buffer("through", world_positions(frame, surface.seen));
+               [&] { seen = below->view.draw(gbuffer, picture, below->gbuffer, *below->picture); });
+    if (frame.wants("through")) frame.keep_buffer("through", world_positions(frame, seen));
   }
   frame.keep_buffer("caustics", picture.landed(), 3);
   frame.set_image(picture.image());

@@ -1,17 +1,11 @@
 // Lists the used planes in order and has the volumes drawn once for each: the first invocation does it all.
 #include "shaders/compute.glsl"
+#include "techniques/caustics/draw_volumes.glsl"
 
 uniform int plane_count;
 
 layout(std430, binding = 0) readonly buffer Used { uint used[]; };
 layout(std430, binding = 1) writeonly buffer Planes { uint planes[]; };
-layout(std430, binding = 2) writeonly buffer Command {
-  uint indices;
-  uint instances;
-  uint first_index;
-  uint base_vertex;
-  uint base_instance;
-};
 
 void main() {
   if (gl_GlobalInvocationID.x != 0u) return;

@@ -1,5 +1,6 @@
 // Lists the triangles that straddle surfaces, in order, each run after those before it, and has them drawn.
 #include "shaders/compute.glsl"
+#include "techniques/caustics/draw_volumes.glsl"
 #include "techniques/caustics/states.glsl"
 
 layout(std430, binding = 0) readonly buffer States { uint states[]; };
@@ -7,13 +8,6 @@ layout(std430, binding = 1) readonly buffer Counts { uint counts[]; };
 layout(std430, binding = 2) readonly buffer Corners { uint corners[]; };
 layout(std430, binding = 3) writeonly buffer Listed { uint listed[]; };
 layout(std430, binding = 4) writeonly buffer Indices { uint indices[]; };
-layout(std430, binding = 5) writeonly buffer Command {
-  uint index_count;
-  uint instances;
-  uint first_index;
-  uint base_vertex;
-  uint base_instance;
-};
 uniform int triangle_count;
 uniform int run_length;
 
