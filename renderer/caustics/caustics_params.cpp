@@ -17,18 +17,19 @@ std::vector<ParamSpec> caustics_params() {
                     "a receiver's box is cut into so many along the light, by one plane more"),
       integer_param("map_size", 512, 16, 8192, "texels along an edge of a receiver's maps"),
       choice_param(
-          "slicing", {"smart", "smart_read_back", "uniform"},
-          "which planes are drawn: smart: those that the receiver lies on, found on the GPU; "
-          "smart_read_back: the same, found from the position map read back, as in the thesis; uniform: "
-          "all. The picture is the same"),
+          "slicing", {"local", "smart", "smart_read_back", "uniform"},
+          "level_map: which planes the water's triangles are cut by: local: each by those that the receiver "
+          "lies on where the triangle's light passes; smart: all by those that the receiver lies on "
+          "anywhere, found on the GPU; smart_read_back: the same, found from the position map read back, as "
+          "in the thesis; uniform: all by all. The picture is the same"),
       choice_param(
           "plane_test", {"equal", "discard"},
           "how a texel's plane is told: equal: by a depth buffer that holds the planes; discard: in the "
           "shader, as in the thesis. The picture is the same"),
       choice_param(
           "straddling", {"split", "drop"},
-          "hit: what is done with triangles whose light falls on several surfaces: split: they are cut by "
-          "planes; drop: they are left out"),
+          "hit: what is done with triangles whose light falls on several surfaces: split: each texel "
+          "that they may light tells by its own depth whether it is in their light; drop: they are left out"),
       choice_param("slice_images", {"whole", "clusters"},
                    "volumetric: what is drawn for each plane: whole: all; clusters: clusters of at most 1024 "
                    "triangles "
@@ -66,7 +67,8 @@ CausticsOptions caustics_options(const ParamValues& params) {
   options.level_map.slices = params.integer("slices");
   options.level_map.test = params.text("plane_test") == "equal" ? PlaneTest::equal : PlaneTest::discard;
   const std::string& slicing = params.text("slicing");
-  options.level_map.slicing = slicing == "smart"     ? Slicing::smart
+  options.level_map.slicing = slicing == "local"     ? Slicing::local
+                              : slicing == "smart"   ? Slicing::smart
                               : slicing == "uniform" ? Slicing::uniform
                                                      : Slicing::smart_read_back;
   options.least_area = params.number("least_area");

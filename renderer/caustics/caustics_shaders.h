@@ -15,34 +15,24 @@ inline constexpr const char* kListPlanes = "techniques/caustics/list_planes.comp
 inline constexpr const char* kHits = "techniques/caustics/hits.comp.glsl";
 inline constexpr const char* kBlocks = "techniques/caustics/blocks.comp.glsl";
 inline constexpr const char* kJudge = "techniques/caustics/judge.comp.glsl";
-inline constexpr const char* kCountStraddling = "techniques/caustics/count_straddling.comp.glsl";
-inline constexpr const char* kListStraddling = "techniques/caustics/list_straddling.comp.glsl";
+inline constexpr const char* kMarkCuts = "techniques/caustics/mark_cuts.comp.glsl";
+inline constexpr const char* kPlaceCuts = "techniques/caustics/place_cuts.comp.glsl";
+inline constexpr const char* kListCuts = "techniques/caustics/list_cuts.comp.glsl";
 inline constexpr const char* kLandingVertex = "techniques/caustics/landing.vert.glsl";
 inline constexpr const char* kLandingFragment = "techniques/caustics/landing.frag.glsl";
+inline constexpr const char* kSweepVertex = "techniques/caustics/sweep.vert.glsl";
+inline constexpr const char* kSweepFragment = "techniques/caustics/sweep.frag.glsl";
 inline constexpr const char* kCombine = "techniques/caustics/combine.frag.glsl";
 inline constexpr const char* kWaterVertex = "techniques/caustics/water.vert.glsl";
 inline constexpr const char* kWaterFragment = "techniques/caustics/water.frag.glsl";
 inline constexpr const char* kUnlit = "techniques/caustics/unlit.frag.glsl";
 inline constexpr const char* kCast = "techniques/caustics/cast.frag.glsl";
 
-inline constexpr std::array kCausticsShaders{kSurfaceVertex,
-                                             kReceiverFragment,
-                                             kPlaneDepth,
-                                             kVolumeVertex,
-                                             kVolumeFragment,
-                                             kUsedPlanes,
-                                             kListPlanes,
-                                             kHits,
-                                             kBlocks,
-                                             kJudge,
-                                             kCountStraddling,
-                                             kListStraddling,
-                                             kLandingVertex,
-                                             kLandingFragment,
-                                             kCombine,
-                                             kUnlit,
-                                             kCast,
-                                             kWaterVertex,
-                                             kWaterFragment};
+inline constexpr std::array kCausticsShaders{
+    kSurfaceVertex, kReceiverFragment, kPlaneDepth, kVolumeVertex,  kVolumeFragment,
+    kUsedPlanes,    kListPlanes,       kHits,       kBlocks,        kJudge,
+    kMarkCuts,      kPlaceCuts,        kListCuts,   kLandingVertex, kLandingFragment,
+    kSweepVertex,   kSweepFragment,    kCombine,    kUnlit,         kCast,
+    kWaterVertex,   kWaterFragment};
 
 }  // namespace lightbench

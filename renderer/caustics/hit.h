@@ -9,13 +9,13 @@ class FrameContext;
 
 /// What is done with triangles of the water whose light falls on several surfaces.
 enum class Straddling {
-  split,  ///< cut by planes, as draw_level_map does with all
+  split,  ///< each texel that their light may reach tells by its own depth whether it is in their volume
   drop,
 };
 
 struct HitOptions {
   int steps = 16;    ///< along a ray, before ten bisections
-  int slices = 100;  ///< of the box: a landing may be off the surface by one of them
+  int slices = 100;  ///< of the box: a landing may be off the surface by the height of one of them
   Straddling straddling = Straddling::split;
 };
 

@@ -5,13 +5,14 @@
 #include <glad/gl.h>
 
 #include "renderer/caustics/caustics_shaders.h"
+#include "renderer/caustics/volume_cuts.h"
 #include "renderer/frame_context.h"
 
 namespace lightbench {
 namespace {
 
 // Storage blocks of volume.vert.glsl and volume.frag.glsl.
-enum Block : unsigned { kTriangles, kPlanes, kListed };
+enum Block : unsigned { kTriangles, kPlanes };
 
 /// Lists the used planes, and has `command` draw as many instances.
 Buffer list_used_planes(FrameContext& frame, const ReceiverMap& map, int slices, const Buffer& command) {
@@ -39,6 +40,14 @@ void set_volume_state(PlaneTest test) {
   glDepthMask(GL_FALSE);
 }
 
+/// What volume.vert.glsl and volume.frag.glsl are compiled with.
+ShaderDefines defines_of(PlaneTest test, const char* listed) {
+  ShaderDefines defines;
+  if (test == PlaneTest::discard) defines.emplace_back("PLANE_DISCARD");
+  if (listed) defines.emplace_back(listed);
+  return defines;
+}
+
 void use(const Program& program, const ReceiverMap& map, const Volumes& volumes, int slices) {
   program.use();
   program.set("slices", float(slices));
@@ -47,13 +56,33 @@ void use(const Program& program, const ReceiverMap& map, const Volumes& volumes,
   map.places.bind(0);
 }
 
-void draw_indirect(const Buffer& command) {
-  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, command.id());
-  glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
+/// Sets all to draw the volumes once for each of the listed planes, or of all.
+void begin_planes(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes,
+                  const LevelMapOptions& options, const Framebuffer& target, const Buffer* planes) {
+  const char* listed = planes ? "LISTED_PLANES" : nullptr;
+  target.bind();
+  set_volume_state(options.test);
+  use(frame.program(kVolumeVertex, kVolumeFragment, defines_of(options.test, listed)), map, volumes,
+      options.slices);
+  glBindVertexArray(volumes.vertices.id());
+  if (planes) planes->bind_storage(kPlanes);
 }
 
 void draw_instances(const Volumes& volumes, std::size_t count) {
   glDrawElementsInstanced(GL_TRIANGLES, 3 * volumes.triangle_count, GL_UNSIGNED_INT, nullptr, GLsizei(count));
+}
+
+/// Each of the volumes by its own planes.
+void draw_cuts(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int slices,
+               PlaneTest test, const Framebuffer& target) {
+  const Program& program = frame.program(kVolumeVertex, kVolumeFragment, defines_of(test, "LISTED_CUTS"));
+  VolumeCuts cuts(frame, map, volumes, slices);
+  target.bind();
+  set_volume_state(test);
+  while (cuts.list_next()) {
+    use(program, map, volumes, slices);
+    cuts.draw(program);
+  }
 }
 
 }  // namespace
@@ -75,34 +104,31 @@ GlTexture draw_level_map(FrameContext& frame, const ReceiverMap& map, const Volu
   GlTexture caustics(TexelFormat::rgba32f, map.places.width(), map.places.height());
   GlTexture plane_depths;
   if (options.test == PlaneTest::equal) plane_depths = draw_plane_depths(frame, map, options.slices);
-  DrawVolumes all;
-  all.indices = 3 * std::uint32_t(volumes.triangle_count);
-  const Buffer command(&all, sizeof all);
-  std::vector<std::uint32_t> read;
-  Buffer planes;
-  if (options.slicing == Slicing::smart) planes = list_used_planes(frame, map, options.slices, command);
-  if (options.slicing == Slicing::smart_read_back) {
-    read = used_planes(map, options.slices);
-    planes = buffer_of(read);
-  }
-  ShaderDefines defines;
-  if (options.test == PlaneTest::discard) defines.emplace_back("PLANE_DISCARD");
-  if (options.slicing != Slicing::uniform) defines.emplace_back("LISTED_PLANES");
   const Framebuffer target({&caustics}, options.test == PlaneTest::equal ? &plane_depths : nullptr);
-  target.bind();
   target.clear_color(0, 0, 0, 0, 0);
-  set_volume_state(options.test);
-  use(frame.program(kVolumeVertex, kVolumeFragment, defines), map, volumes, options.slices);
-  glBindVertexArray(volumes.vertices.id());
-  if (options.slicing != Slicing::uniform) planes.bind_storage(kPlanes);
   switch (options.slicing) {
-    case Slicing::smart:
-      draw_indirect(command);
+    case Slicing::local:
+      draw_cuts(frame, map, volumes, options.slices, options.test, target);
       break;
-    case Slicing::smart_read_back:
-      draw_instances(volumes, read.size());
+    case Slicing::smart: {
+      DrawVolumes all;
+      all.indices = 3 * std::uint32_t(volumes.triangle_count);
+      const Buffer command(&all, sizeof all);
+      const Buffer planes = list_used_planes(frame, map, options.slices, command);
+      begin_planes(frame, map, volumes, options, target, &planes);
+      glBindBuffer(GL_DRAW_INDIRECT_BUFFER, command.id());
+      glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
       break;
+    }
+    case Slicing::smart_read_back: {
+      const std::vector<std::uint32_t> used = used_planes(map, options.slices);
+      const Buffer planes = buffer_of(used);
+      begin_planes(frame, map, volumes, options, target, &planes);
+      draw_instances(volumes, used.size());
+      break;
+    }
     case Slicing::uniform:
+      begin_planes(frame, map, volumes, options, target, nullptr);
       draw_instances(volumes, std::size_t(options.slices) + 1);
       break;
   }
@@ -118,21 +144,6 @@ void draw_plane(FrameContext& frame, const ReceiverMap& map, const Volumes& volu
   program.set("one_plane", plane);
   glBindVertexArray(volumes.vertices.id());
   draw_instances(volumes, 1);
-}
-
-void add_level_map(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int slices,
-                   const VolumeList& list, const GlTexture& caustics) {
-  const GlTexture plane_depths = draw_plane_depths(frame, map, slices);
-  const Buffer planes = list_used_planes(frame, map, slices, list.command);
-  const Framebuffer target({&caustics}, &plane_depths);
-  target.bind();
-  set_volume_state(PlaneTest::equal);
-  use(frame.program(kVolumeVertex, kVolumeFragment, {"LISTED_PLANES", "LISTED_TRIANGLES"}), map, volumes,
-      slices);
-  glBindVertexArray(list.vertices.id());
-  planes.bind_storage(kPlanes);
-  list.numbers.bind_storage(kListed);
-  draw_indirect(list.command);
 }
 
 }  // namespace lightbench

@@ -15,15 +15,16 @@ enum class PlaneTest {
 
 /// Which planes the volumes are cut by.
 enum class Slicing {
-  smart,            ///< those that a texel of the position map belongs to, found on the GPU
+  local,            ///< each by those that the receiver lies on where its light passes (volume_cuts.h)
+  smart,            ///< all by those that a texel of the position map belongs to, found on the GPU
   smart_read_back,  ///< the same, found from the position map read back, as in the thesis
-  uniform,          ///< all
+  uniform,          ///< all by all
 };
 
 struct LevelMapOptions {
   int slices = 100;  ///< the box is cut into so many, by one plane more
   PlaneTest test = PlaneTest::equal;
-  Slicing slicing = Slicing::smart;
+  Slicing slicing = Slicing::local;
 };
 inline constexpr int kMaxSlices = 8190;  ///< what plane_depth of techniques/caustics/planes.glsl tells apart
 
@@ -35,10 +36,6 @@ GlTexture draw_level_map(FrameContext& frame, const ReceiverMap& map, const Volu
 /// Adds what all volumes send through one plane to a target of RGBA32F, whatever stands there.
 void draw_plane(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int plane, int slices,
                 const Framebuffer& target);
-
-/// Adds those of the volumes that a list names to such a map, cut by all planes that the receiver lies on.
-void add_level_map(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int slices,
-                   const VolumeList& list, const GlTexture& caustics);
 
 /// The planes that texels of the position map belong to, in order; reads it back.
 std::vector<std::uint32_t> used_planes(const ReceiverMap& map, int slices);

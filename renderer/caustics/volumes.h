@@ -34,7 +34,8 @@ struct Volumes {
 /// Whatever is drawn is added to the target, everywhere.
 void set_adding_state();
 
-/// As glDrawElementsIndirect reads it: which volumes are drawn how many times is known to shaders alone.
+/// As glDrawElementsIndirect reads it, and its beginning glDrawArraysIndirect: how much is drawn is known to
+/// shaders alone.
 struct DrawVolumes {
   std::uint32_t indices = 0;
   std::uint32_t instances = 0;
@@ -44,15 +45,5 @@ struct DrawVolumes {
 };
 
 inline constexpr unsigned kDrawVolumesBlock = 5;  ///< of techniques/caustics/draw_volumes.glsl
-
-/// A part of volumes, made by shaders.
-struct VolumeList {
-  explicit VolumeList(const Volumes& volumes);
-
-  Buffer numbers;  ///< which triangles
-  Buffer corners;  ///< theirs
-  VertexArray vertices;
-  Buffer command;  ///< DrawVolumes
-};
 
 }  // namespace lightbench

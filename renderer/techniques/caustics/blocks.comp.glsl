@@ -1,9 +1,11 @@
-// Between which depths the receiver lies in each block of a position map: an invocation for each.
+// Between which planes the receiver lies in each block of a position map: an invocation for each.
 #include "shaders/compute.glsl"
 #include "techniques/caustics/blocks.glsl"
+#include "techniques/caustics/planes.glsl"
 
 layout(binding = 0) uniform sampler2D places;
-layout(std430, binding = 0) writeonly buffer Blocks { vec2 blocks[]; };
+layout(std430, binding = 0) writeonly buffer Blocks { ivec2 blocks[]; };
+uniform float slices;
 
 void main() {
   ivec2 size = textureSize(places, 0);
@@ -18,5 +20,5 @@ void main() {
       vec2 place = texelFetch(places, ivec2(x, y), 0).xy;
       if (place.y == 1.0) depths = vec2(min(depths.x, place.x), max(depths.y, place.x));
     }
-  blocks[number] = depths;
+  blocks[number] = depths.x > depths.y ? kNoPlanes : ivec2(nearest_plane(depths.x, slices), nearest_plane(depths.y, slices));
 }

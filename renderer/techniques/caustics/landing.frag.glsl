@@ -1,4 +1,6 @@
 // The flux of triangles that were drawn where their corners land, for each unit of the map's area.
+#include "techniques/caustics/flux.glsl"
+
 layout(binding = 0) uniform sampler2D places;
 
 layout(location = 0) in float way;
@@ -6,22 +8,14 @@ layout(location = 1) in float depth;
 layout(location = 2) flat in int triangle_number;
 layout(location = 3) flat in vec2 edges[2];
 
-struct Triangle {
-  vec4 flux;
-  vec4 area;
-};
-layout(std430, binding = 0) readonly buffer Triangles { Triangle triangles[]; };
-uniform vec3 absorption;
 uniform float map_area;
-uniform float least_area;
 uniform float tolerance;
 
-layout(location = 0) out vec4 caustics;  // a: 1 where the area was raised to the least
+layout(location = 0) out vec4 caustics;
 
 void main() {
   vec2 place = texelFetch(places, ivec2(gl_FragCoord.xy), 0).xy;
   if (place.y != 1.0 || abs(place.x - depth) > tolerance) discard;
   float area = 0.5 * map_area * abs(edges[0].x * edges[1].y - edges[0].y * edges[1].x);
-  caustics = vec4(triangles[triangle_number].flux.rgb * exp(-absorption * way) / max(area, least_area),
-                  area < least_area ? 1.0 : 0.0);
+  caustics = flux_of(triangles[triangle_number], area, way);
 }

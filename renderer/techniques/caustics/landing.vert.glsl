@@ -1,9 +1,9 @@
 // Triangles of the water where their corners land.
-#include "techniques/caustics/states.glsl"
+#include "techniques/caustics/lights.glsl"
 
 layout(std430, binding = 1) readonly buffer Hits { vec4 hits[]; };
 layout(std430, binding = 2) readonly buffer Corners { uint corners[]; };
-layout(std430, binding = 3) readonly buffer States { uint states[]; };
+layout(std430, binding = 3) readonly buffer Lights { vec2 lights[]; };
 
 layout(location = 0) out float way;
 layout(location = 1) out float depth;
@@ -15,7 +15,7 @@ void main() {
   way = depth = 0.0;
   edges[0] = edges[1] = vec2(0.0);
   gl_Position = vec4(2.0, 2.0, 0.0, 1.0);  // nowhere
-  if (states[triangle_number] != kLands) return;
+  if (lights[triangle_number] != kLands) return;
   vec4 p = hits[corners[3 * triangle_number]];
   edges[0] = hits[corners[3 * triangle_number + 1]].xy - p.xy;
   edges[1] = hits[corners[3 * triangle_number + 2]].xy - p.xy;

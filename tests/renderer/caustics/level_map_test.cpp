@@ -61,7 +61,8 @@ TEST(GlLevelMap, AllWaysGiveTheSameBits) {
   const Image expected = level_map(scene, 1, plain, 128, VolumeCulling::off);
   EXPECT_GT(*std::max_element(expected.data.begin(), expected.data.end()), 1);
   for (const PlaneTest test : {PlaneTest::equal, PlaneTest::discard})
-    for (const Slicing slicing : {Slicing::smart, Slicing::smart_read_back, Slicing::uniform}) {
+    for (const Slicing slicing :
+         {Slicing::local, Slicing::smart, Slicing::smart_read_back, Slicing::uniform}) {
       LevelMapOptions options;
       options.test = test;
       options.slicing = slicing;

@@ -1,0 +1,18 @@
+// The flux that a triangle of the water sends onto each unit of the map's area (the water caustics thesis, 4.4 and 4.5, eq.
+// 4-16 to 4-18).
+struct Triangle {
+  vec4 flux;
+  vec4 area;  // of its image, at depth z: x + z (y + z z)
+};
+layout(std430, binding = 0) readonly buffer Triangles { Triangle triangles[]; };
+uniform vec3 absorption;
+uniform float least_area;
+
+float area_at(Triangle triangle, float depth) {
+  return abs(triangle.area.x + depth * (triangle.area.y + depth * triangle.area.z));
+}
+
+// a: 1 where the area was raised to the least.
+vec4 flux_of(Triangle triangle, float area, float way) {
+  return vec4(triangle.flux.rgb * exp(-absorption * way) / max(area, least_area), area < least_area ? 1.0 : 0.0);
+}
