@@ -1,9 +1,7 @@
 #include "pipeline/caustics_study.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
@@ -11,53 +9,17 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/image_io.h"
+#include "pipeline/caustics_methods.h"
 #include "povexport/pov_scene.h"
 #include "povexport/povray.h"
-#include "renderer/caustics/caustics_study.h"
+#include "renderer/caustics/caustics_maps.h"
 #include "renderer/caustics/light_tracer.h"
 #include "renderer/caustics/receiver_texels.h"
 #include "renderer/caustics/water_light.h"
-#include "renderer/technique.h"
 #include "reports/escape.h"
 
 namespace lightbench {
 namespace {
-
-struct StudiedMethod {
-  const char* name;
-  std::map<std::string, ParamValue> params;
-};
-
-/// The first is the one that others may have the bits of.
-const std::vector<StudiedMethod>& studied_methods() {
-  static const std::vector<StudiedMethod> methods{
-      {"level map", {}},
-      {"level map, all planes", {{"slicing", "uniform"}}},
-      {"level map, read back", {{"slicing", "smart_read_back"}}},
-      {"level map, discard", {{"slicing", "uniform"}, {"plane_test", "discard"}}},
-      {"volumetric", {{"method", "volumetric"}}},
-      {"volumetric, clusters", {{"method", "volumetric"}, {"slice_images", "clusters"}}},
-      {"hit", {{"method", "hit"}}},
-      {"hit, no split", {{"method", "hit"}, {"straddling", "drop"}}},
-  };
-  return methods;
-}
-
-ParamValues params_of(const StudiedMethod& method, const CausticsStudyOptions& options) {
-  const Technique& technique = find_technique("caustics", "caustics");
-  std::map<std::string, ParamValue> given = method.params;
-  given["map_size"] = static_cast<long long>(options.map_size);
-  given["slices"] = static_cast<long long>(options.slices);
-  return resolve_params(technique.params, technique.presets, "", given, method.name);
-}
-
-std::size_t differing_texels(const Image& a, const Image& b) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < a.data.size(); i += 4)
-    count += !std::equal(a.data.begin() + std::ptrdiff_t(i), a.data.begin() + std::ptrdiff_t(i) + 3,
-                         b.data.begin() + std::ptrdiff_t(i));
-  return count;
-}
 
 double whole_flux(const FluxField& field, const ReceiverBox& box) {
   double sum = 0;
@@ -172,9 +134,10 @@ class Study {
     figures.light = light.name;
     figures.texels = std::size_t(std::count(truth.counts.begin(), truth.counts.end(), true));
     Image first;
-    for (const StudiedMethod& method : studied_methods()) {
+    for (const CausticsMethodRow& method : caustics_methods()) {
       progress_(fmt::format("{}: {}, {}", scene_.name, figures.receiver, method.name));
-      const StudiedMap drawn = gl_.draw(entity, light, params_of(method, options_));
+      const CausticsMap drawn =
+          gl_.draw(entity, light, method_params(method, options_.map_size, options_.slices));
       const FluxField field = flux_field(drawn.flux);
       if (first.data.empty()) {
         first = drawn.flux;
@@ -182,7 +145,9 @@ class Study {
         figures.drawn = drawn.drawn;
         figures.sideways = drawn.sideways;
         figures.raised = drawn.raised;
-        figures.planes = drawn.planes.size();
+        figures.planes =
+            drawn.texels_by_plane.size() -
+            std::size_t(std::count(drawn.texels_by_plane.begin(), drawn.texels_by_plane.end(), 0U));
       }
       figures.methods.push_back({method.name, compare_flux(field, truth, most),
                                  differing_texels(drawn.flux, first), drawn.texture_bytes,
@@ -204,7 +169,7 @@ class Study {
   const Scene& scene_;
   const CausticsStudyOptions& options_;
   const std::function<void(const std::string&)>& progress_;
-  CausticsStudy gl_;
+  CausticsMaps gl_;
   PathScene paths_;
 };
 

@@ -36,7 +36,7 @@ struct ReceiverFigures {
   std::string receiver;
   std::string light;
   std::size_t texels = 0;                                    ///< of the map, that show the receiver
-  std::size_t lit = 0, drawn = 0, sideways = 0, raised = 0;  ///< as StudiedMap
+  std::size_t lit = 0, drawn = 0, sideways = 0, raised = 0;  ///< as CausticsMap
   std::size_t planes = 0;                                    ///< of slices + 1, that the receiver lies on
   std::vector<MethodFigures> methods;
 };

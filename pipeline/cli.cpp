@@ -44,8 +44,8 @@ void add_commands(CLI::App& app, Action& action) {
   for (const auto add :
        {add_run_command, add_oracle_command, add_plan_command, add_score_command, add_report_command,
         add_bench_command, add_bake_command, add_render_command, add_export_command, add_reference_command,
-        add_compare_command, add_caustics_command, add_cameras_command, add_scene_command, add_list_command,
-        add_schema_command, add_work_command})
+        add_compare_command, add_caustics_command, add_slicing_command, add_cameras_command,
+        add_scene_command, add_list_command, add_schema_command, add_work_command})
     add(app, action);
 }
 

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
 #include "base/files.h"
+#include "pipeline/commands/busy.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/concrete.h"
 #include "pipeline/inspect.h"
@@ -30,12 +29,6 @@ struct BenchParams {
   std::string out;
   std::string output;
 };
-
-void warn_if_busy() {
-  double load = 0;
-  if (getloadavg(&load, 1) == 1 && load > 0.5 * std::thread::hardware_concurrency())
-    std::fprintf(stderr, "warning: the machine is busy (load %.1f), so these times are too long\n", load);
-}
 
 bool needs_bake(const JobVariant& variant) {
   return find_technique(variant.technique, "").needs_bake;

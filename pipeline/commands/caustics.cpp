@@ -15,6 +15,7 @@ namespace {
 struct CausticsParams {
   std::vector<std::string> scenes;
   CausticsStudyOptions options;
+  float amplitudes = 1;  ///< by how much the waves are higher than the scenes say
   std::string output;
 };
 
@@ -24,7 +25,9 @@ ExitCode run_caustics(const CausticsParams& params) {
   if (!params.output.empty()) require_writable(params.output);
   std::vector<std::pair<std::string, std::vector<ReceiverFigures>>> figures;
   for (const std::string& file : params.scenes) {
-    const Scene scene = load_scene(file);
+    Scene scene = load_scene(file);
+    if (scene.water)
+      for (Wave& wave : scene.water->waves) wave.amplitude *= params.amplitudes;
     figures.emplace_back(scene.name, study_caustics(scene, options, [](const std::string& step) {
                            std::fprintf(stderr, "%s\n", step.c_str());
                          }));
@@ -57,6 +60,11 @@ void add_caustics_command(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--most", options.most, "Flat water's light: brighter texels count as so bright")
       ->check(CLI::Range(0.01, 1e6))
+      ->capture_default_str();
+  command
+      ->add_option("--amplitudes", params->amplitudes,
+                   "Waves that are so many times as high as in the scenes")
+      ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
   command->add_flag("--povray", options.povray, "POV-Ray's photons, too: some tens of seconds a receiver");
   command->add_option("-o,--output", params->output, "Markdown file to write; default: print it");

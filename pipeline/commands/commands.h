@@ -35,6 +35,7 @@ void add_render_command(CLI::App& app, Action& action);
 void add_export_command(CLI::App& app, Action& action);
 void add_reference_command(CLI::App& app, Action& action);
 void add_caustics_command(CLI::App& app, Action& action);
+void add_slicing_command(CLI::App& app, Action& action);
 void add_compare_command(CLI::App& app, Action& action);
 void add_cameras_command(CLI::App& app, Action& action);
 void add_scene_command(CLI::App& app, Action& action);

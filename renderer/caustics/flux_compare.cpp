@@ -69,4 +69,12 @@ FluxLikeness compare_flux(const FluxField& map, const FluxField& truth, double m
   return {pearson(smoothed(map, counts, most), smoothed(truth, counts, most)), sum / true_sum};
 }
 
+std::size_t differing_texels(const Image& a, const Image& b) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < a.data.size(); i += 4)
+    count += !std::equal(a.data.begin() + std::ptrdiff_t(i), a.data.begin() + std::ptrdiff_t(i) + 3,
+                         b.data.begin() + std::ptrdiff_t(i));
+  return count;
+}
+
 }  // namespace lightbench

@@ -29,4 +29,7 @@ struct FluxLikeness {
 /// Over the texels that count in both; both are clipped at `most`. Sizes must be equal.
 FluxLikeness compare_flux(const FluxField& map, const FluxField& truth, double most);
 
+/// Texels whose light, RGB of RGBA, has other bits.
+std::size_t differing_texels(const Image& a, const Image& b);
+
 }  // namespace lightbench

@@ -87,15 +87,19 @@ void draw_cuts(FrameContext& frame, const ReceiverMap& map, const Volumes& volum
 
 }  // namespace
 
-std::vector<std::uint32_t> used_planes(const ReceiverMap& map, int slices) {
+std::vector<std::size_t> texels_by_plane(const ReceiverMap& map, int slices) {
   const Image places = read_back(map.places, 2);
-  std::vector<bool> used(std::size_t(slices) + 1, false);
+  std::vector<std::size_t> texels(std::size_t(slices) + 1, 0);
   for (std::size_t i = 0; i < places.data.size(); i += 2)
-    if (places.data[i + 1] == 1)
-      used.at(std::size_t(std::floor(places.data[i] * float(slices) + 0.5f))) = true;
+    if (places.data[i + 1] == 1) ++texels.at(std::size_t(std::floor(places.data[i] * float(slices) + 0.5f)));
+  return texels;
+}
+
+std::vector<std::uint32_t> used_planes(const ReceiverMap& map, int slices) {
+  const std::vector<std::size_t> texels = texels_by_plane(map, slices);
   std::vector<std::uint32_t> planes;
-  for (std::size_t plane = 0; plane < used.size(); ++plane)
-    if (used[plane]) planes.push_back(std::uint32_t(plane));
+  for (std::size_t plane = 0; plane < texels.size(); ++plane)
+    if (texels[plane] > 0) planes.push_back(std::uint32_t(plane));
   return planes;
 }
 

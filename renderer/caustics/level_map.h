@@ -37,7 +37,10 @@ GlTexture draw_level_map(FrameContext& frame, const ReceiverMap& map, const Volu
 void draw_plane(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int plane, int slices,
                 const Framebuffer& target);
 
-/// The planes that texels of the position map belong to, in order; reads it back.
+/// How many texels of the position map belong to each plane; reads it back.
+std::vector<std::size_t> texels_by_plane(const ReceiverMap& map, int slices);
+
+/// The planes that any do, in order.
 std::vector<std::uint32_t> used_planes(const ReceiverMap& map, int slices);
 
 }  // namespace lightbench

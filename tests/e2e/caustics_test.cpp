@@ -28,6 +28,28 @@ TEST_F(GlCaustics, ATableTellsHowNearEachMethodComes) {
               AllOf(HasSubstr("| pool | floor | sun |"), HasSubstr("| level map |"), HasSubstr("| rays |")));
 }
 
+TEST_F(GlCaustics, APageTellsWhatPlanesCost) {
+  write("pool.json", kPool);
+  const auto result =
+      run({"slicing", "pool.json", "--planes", "2..3,5", "--rounds", "1", "--map-size", "32", "-o", "out"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("pool: floor, 5 planes"));
+  EXPECT_THAT(read_file(path("out/slicing.md")),
+              AllOf(HasSubstr("| pool | floor | sun | 3 |"), HasSubstr(" hit ")));
+  EXPECT_THAT(read_file(path("out/index.html")), HasSubstr("<svg"));
+}
+
+TEST_F(GlCaustics, PlanesThatAreNoNumbersAreAnError) {
+  write("pool.json", kPool);
+  for (const char* planes : {"1", "3..", "x", "3-5", "99999"}) {
+    const auto result = run({"slicing", "pool.json", "--planes", planes, "-o", "out"});
+    EXPECT_EQ(result.exit_code, 3) << planes;
+    EXPECT_THAT(result.err, HasSubstr("--planes")) << planes;
+  }
+  const auto result = run({"slicing", "pool.json", "--without", "floor", "-o", "out"});
+  EXPECT_THAT(result.err, HasSubstr("no receiver is there to time"));
+}
+
 TEST_F(GlCaustics, ASceneWithoutWaterIsAnError) {
   write("dry.json", R"({"entities": [{"name": "floor", "box": {"min": [-1, -0.1, -1], "max": [1, 0, 1]}}]})");
   const auto study = run({"caustics", "dry.json"});

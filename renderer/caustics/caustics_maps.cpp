@@ -1,5 +1,8 @@
-#include "renderer/caustics/caustics_study.h"
+#include "renderer/caustics/caustics_maps.h"
 
+#include <glad/gl.h>
+
+#include "base/stopwatch.h"
 #include "renderer/caustics/draw_caustics.h"
 #include "renderer/frame_context.h"
 #include "renderer/gpu_scene.h"
@@ -7,7 +10,7 @@
 
 namespace lightbench {
 
-struct CausticsStudy::Impl {
+struct CausticsMaps::Impl {
   Impl(const Scene& scene, GlBackend backend)
       : gl(make_gl_context(backend)),
         request{scene, view, 16, 16, 1, {}},
@@ -24,15 +27,15 @@ struct CausticsStudy::Impl {
   Mesh mesh;
 };
 
-CausticsStudy::CausticsStudy(const Scene& scene, GlBackend backend)
+CausticsMaps::CausticsMaps(const Scene& scene, GlBackend backend)
     : impl_(std::make_unique<Impl>(scene, backend)) {}
-CausticsStudy::~CausticsStudy() = default;
+CausticsMaps::~CausticsMaps() = default;
 
-StudiedMap CausticsStudy::draw(std::size_t receiver, const Light& light, const ParamValues& params) {
+CausticsMap CausticsMaps::draw(std::size_t receiver, const Light& light, const ParamValues& params) {
   FrameContext& frame = impl_->frame;
   const Scene& scene = frame.scene();
   const CausticsOptions options = caustics_options(params);
-  StudiedMap result;
+  CausticsMap result;
   result.box = receiver_box(scene, receiver, light);
   const WaterLight through = water_light(*scene.water, impl_->mesh, light, options.fresnel);
   const MapRays rays = map_rays(impl_->mesh, through, result.box, options.culling);
@@ -41,11 +44,19 @@ StudiedMap CausticsStudy::draw(std::size_t receiver, const Light& light, const P
   result.sideways = rays.sideways;
   forget_most_texture_memory();
   const std::size_t before = texture_memory().now;
+  glFinish();
+  Stopwatch watch;
   const ReceiverMap map = draw_receiver_map(frame, result.box, receiver, options.map_size, options.color);
+  glFinish();
+  result.position_seconds = watch.seconds();
+  watch = Stopwatch();
   const Volumes volumes(rays, map, scene.water->absorption, options.least_area);
-  result.flux = read_back(draw_caustics(frame, map, volumes, options), 4);
+  const GlTexture caustics = draw_caustics(frame, map, volumes, options);
+  glFinish();
+  result.seconds = watch.seconds();
+  result.flux = read_back(caustics, 4);
   result.texture_bytes = texture_memory().most - before;
-  result.planes = used_planes(map, options.level_map.slices);
+  result.texels_by_plane = texels_by_plane(map, options.level_map.slices);
   if (options.method != CausticsMethod::volumetric)
     for (std::size_t i = 3; i < result.flux.data.size(); i += 4)
       result.raised += std::size_t(result.flux.data[i]);

@@ -1,0 +1,30 @@
+#include "pipeline/caustics_methods.h"
+
+#include "renderer/technique.h"
+
+namespace lightbench {
+
+const std::vector<CausticsMethodRow>& caustics_methods() {
+  static const std::vector<CausticsMethodRow> rows{
+      {"level map", {}, true},
+      {"level map, smart", {{"slicing", "smart"}}, true},
+      {"level map, read back", {{"slicing", "smart_read_back"}}, true},
+      {"level map, all planes", {{"slicing", "uniform"}}, true},
+      {"level map, discard", {{"slicing", "uniform"}, {"plane_test", "discard"}}, true},
+      {"volumetric", {{"method", "volumetric"}}, true, false},
+      {"volumetric, clusters", {{"method", "volumetric"}, {"slice_images", "clusters"}}, true, false},
+      {"hit", {{"method", "hit"}}, false},
+      {"hit, no split", {{"method", "hit"}, {"straddling", "drop"}}, false},
+  };
+  return rows;
+}
+
+ParamValues method_params(const CausticsMethodRow& method, int map_size, int slices) {
+  const Technique& technique = find_technique("caustics", "caustics");
+  std::map<std::string, ParamValue> given = method.params;
+  given["map_size"] = static_cast<long long>(map_size);
+  given["slices"] = static_cast<long long>(slices);
+  return resolve_params(technique.params, technique.presets, "", given, method.name);
+}
+
+}  // namespace lightbench

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/params.h"
+
+namespace lightbench {
+
+/// A way in which technique `caustics` draws maps, as the studies name it.
+struct CausticsMethodRow {
+  const char* name;
+  std::map<std::string, ParamValue> params;
+  bool same_light;          ///< whether its maps have the bits of the first row's
+  bool by_position = true;  ///< whether it needs the position map for more than casting
+};
+
+const std::vector<CausticsMethodRow>& caustics_methods();
+
+/// All parameters of the technique for a row.
+ParamValues method_params(const CausticsMethodRow& method, int map_size, int slices);
+
+}  // namespace lightbench
