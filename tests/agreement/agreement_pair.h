@@ -18,9 +18,9 @@ struct Pair {
   Image8 snapshot;
 };
 
-/// Without radiosity.
-inline Image8 render_with_povray(const Scene& scene, const PovAssets& assets, const View& view,
-                                 const FrameRequest& frame) {
+/// Without radiosity; linear.
+inline Image povray_image(const Scene& scene, const PovAssets& assets, const View& view,
+                          const FrameRequest& frame) {
   const TemporaryFolder folder;
   for (const auto& [name, text] : assets.includes) write_file_atomic(folder.path() / name, text);
   for (const auto& [name, image] : assets.images) write_png(folder.path() / name, image);
@@ -35,7 +35,12 @@ inline Image8 render_with_povray(const Scene& scene, const PovAssets& assets, co
   run.samples = frame.samples;
   const double aspect = double(frame.width) / frame.height;
   write_file_atomic(run.scene_file, pov_view(scene, assets, view.camera, aspect, options));
-  return to_srgb8(run_povray(run).image);
+  return run_povray(run).image;
+}
+
+inline Image8 render_with_povray(const Scene& scene, const PovAssets& assets, const View& view,
+                                 const FrameRequest& frame) {
+  return to_srgb8(povray_image(scene, assets, view, frame));
 }
 
 /// With hard shadows.
