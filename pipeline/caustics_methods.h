@@ -12,7 +12,7 @@ namespace lightbench {
 struct CausticsMethodRow {
   const char* name;
   std::map<std::string, ParamValue> params;
-  bool same_light;          ///< whether its maps have the bits of the first row's
+  bool same_light;          ///< whether its maps have the bits of all others of which this is said
   bool by_position = true;  ///< whether it needs the position map for more than casting
 };
 

@@ -14,6 +14,17 @@
 namespace lightbench {
 namespace {
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<CausticsMethodRow> chosen_methods(const SlicingStudyOptions& options) {
+  std::vector<CausticsMethodRow> methods;
+  for (const CausticsMethodRow& method : caustics_methods())
+    if (options.methods.empty() || contains(options.methods, method.name)) methods.push_back(method);
+  return methods;
+}
+
 double seconds_of(const CausticsMethodRow& method, const CausticsMap& map) {
   return map.seconds + (method.by_position ? map.position_seconds : 0);
 }
@@ -21,7 +32,7 @@ double seconds_of(const CausticsMethodRow& method, const CausticsMap& map) {
 /// Fills `receiver` by one number of planes more.
 void add_times(CausticsMaps& maps, std::size_t entity, const Light& light, int planes,
                const SlicingStudyOptions& options, SlicedReceiver& receiver) {
-  const std::vector<CausticsMethodRow>& methods = caustics_methods();
+  const std::vector<CausticsMethodRow> methods = chosen_methods(options);
   std::vector<ParamValues> params;
   for (const CausticsMethodRow& method : methods)
     params.push_back(method_params(method, options.map_size, planes - 1));
@@ -32,7 +43,7 @@ void add_times(CausticsMaps& maps, std::size_t entity, const Light& light, int p
     CausticsMap drawn = maps.draw(entity, light, params[m]);
     if (m == 0)
       first = std::move(drawn);
-    else if (methods[m].same_light)
+    else if (methods[0].same_light && methods[m].same_light)
       times.differing = std::max(times.differing, differing_texels(drawn.flux, first.flux));
   }
   std::vector<std::vector<double>> seconds(methods.size());
@@ -63,7 +74,7 @@ std::vector<SlicedReceiver> study_slicing(const Scene& scene, const SlicingStudy
     for (std::size_t entity = 0; entity < scene.entities.size(); ++entity) {
       const std::string& name = scene.entities[entity].name;
       if (entity_bounds(scene, entity).empty()) continue;
-      if (std::find(options.without.begin(), options.without.end(), name) != options.without.end()) continue;
+      if (contains(options.without, name)) continue;
       SlicedReceiver receiver{scene.name, name, light.name, {}, {}};
       for (const int planes : options.planes) {
         progress(fmt::format("{}: {}, {} planes", scene.name, name, planes));

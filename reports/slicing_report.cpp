@@ -65,18 +65,27 @@ std::string milliseconds(double value) {
   return value < 10 ? fmt::format("{:.1f}", value) : fmt::format("{:.0f}", value);
 }
 
+/// Those of which both methods were timed.
+std::vector<MethodRatio> ratios_of(const SlicingReport& report) {
+  const SlicingTimes& times = report.receivers.front().times.front();
+  std::vector<MethodRatio> ratios;
+  for (const MethodRatio& ratio : slicing_ratios())
+    if (ratio_of(times, ratio)) ratios.push_back(ratio);
+  return ratios;
+}
+
 std::vector<std::string> heading(const SlicingReport& report) {
   std::vector<std::string> head{"planes", "used"};
   for (const MethodTime& time : report.receivers.front().times.front().methods) head.push_back(time.method);
-  for (const MethodRatio& ratio : slicing_ratios()) head.emplace_back(ratio.name);
+  for (const MethodRatio& ratio : ratios_of(report)) head.emplace_back(ratio.name);
   head.emplace_back("texels that differ");
   return head;
 }
 
-std::vector<std::string> numbers(const SlicingTimes& times) {
+std::vector<std::string> numbers(const SlicingReport& report, const SlicingTimes& times) {
   std::vector<std::string> cells{std::to_string(times.planes), std::to_string(times.used)};
   for (const MethodTime& time : times.methods) cells.push_back(milliseconds(time.median));
-  for (const MethodRatio& ratio : slicing_ratios()) {
+  for (const MethodRatio& ratio : ratios_of(report)) {
     const auto value = ratio_of(times, ratio);
     cells.push_back(value ? fmt::format("{:.2f}", *value) : "-");
   }
@@ -90,7 +99,7 @@ Table by_receiver(const SlicingReport& report) {
   for (const SlicedReceiver& receiver : report.receivers)
     for (const SlicingTimes& times : receiver.times) {
       std::vector<std::string> row{receiver.scene, receiver.receiver, receiver.light};
-      for (std::string& cell : numbers(times)) row.push_back(std::move(cell));
+      for (std::string& cell : numbers(report, times)) row.push_back(std::move(cell));
       table.rows.push_back(std::move(row));
     }
   return table;
@@ -131,7 +140,7 @@ Table means(const SlicingReport& report) {
         if (const auto median = median_of(*times, method.method)) spread.add(*median);
       row.push_back(spread.text("{:.1f}"));
     }
-    for (const MethodRatio& ratio : slicing_ratios()) {
+    for (const MethodRatio& ratio : ratios_of(report)) {
       Spread spread;
       for (const SlicingTimes* times : group)
         if (const auto value = ratio_of(*times, ratio)) spread.add(*value);
@@ -178,7 +187,7 @@ std::string chart_of(const SlicedReceiver& receiver, const std::string& title,
     ChartLine line{method, {}};
     for (const SlicingTimes& times : receiver.times)
       if (const auto median = median_of(times, method)) line.points.emplace_back(times.planes, *median);
-    lines.push_back(std::move(line));
+    if (!line.points.empty()) lines.push_back(std::move(line));
   }
   return line_chart({title, "planes", "ms"}, lines);
 }

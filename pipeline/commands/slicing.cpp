@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "pipeline/caustics_methods.h"
 #include "pipeline/commands/busy.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/slicing_study.h"
@@ -88,6 +89,11 @@ void add_slicing_command(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();
+  std::vector<std::string> names;
+  for (const CausticsMethodRow& method : caustics_methods()) names.emplace_back(method.name);
+  command->add_option("--methods", options.methods, "Only these; default: all")
+      ->check(CLI::IsMember(names))
+      ->expected(1, int(names.size()));
   command->add_option("--rounds", options.rounds, "Measured maps of each method")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
