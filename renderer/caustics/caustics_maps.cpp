@@ -4,6 +4,7 @@
 
 #include "base/stopwatch.h"
 #include "renderer/caustics/draw_caustics.h"
+#include "renderer/caustics/water_shade.h"
 #include "renderer/frame_context.h"
 #include "renderer/gpu_scene.h"
 #include "scene/water.h"
@@ -38,10 +39,13 @@ CausticsMap CausticsMaps::draw(std::size_t receiver, const Light& light, const P
   CausticsMap result;
   result.box = receiver_box(scene, receiver, light);
   const WaterLight through = water_light(*scene.water, impl_->mesh, light, options.fresnel);
+  const std::optional<GlTexture> shade = draw_water_shade(frame, light);
   const MapRays rays = map_rays(impl_->mesh, through, result.box, options.culling);
   result.lit = rays.lit;
   result.drawn = rays.corners.size();
   result.sideways = rays.sideways;
+  // What the map before this one took is freed by what is drawn next.
+  draw_receiver_map(frame, result.box, receiver, options.map_size, options.color);
   forget_most_texture_memory();
   const std::size_t before = texture_memory().now;
   glFinish();
@@ -50,7 +54,7 @@ CausticsMap CausticsMaps::draw(std::size_t receiver, const Light& light, const P
   glFinish();
   result.position_seconds = watch.seconds();
   watch = Stopwatch();
-  const Volumes volumes(rays, map, scene.water->absorption, options.least_area);
+  const Volumes volumes(rays, map, scene.water->absorption, options.least_area, shade ? &*shade : nullptr);
   const GlTexture caustics = draw_caustics(frame, map, volumes, options);
   glFinish();
   result.seconds = watch.seconds();

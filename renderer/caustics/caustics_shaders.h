@@ -25,14 +25,15 @@ inline constexpr const char* kSweepFragment = "techniques/caustics/sweep.frag.gl
 inline constexpr const char* kCombine = "techniques/caustics/combine.frag.glsl";
 inline constexpr const char* kWaterVertex = "techniques/caustics/water.vert.glsl";
 inline constexpr const char* kWaterFragment = "techniques/caustics/water.frag.glsl";
+inline constexpr const char* kShadeFragment = "techniques/caustics/shade.frag.glsl";
 inline constexpr const char* kUnlit = "techniques/caustics/unlit.frag.glsl";
 inline constexpr const char* kCast = "techniques/caustics/cast.frag.glsl";
 
 inline constexpr std::array kCausticsShaders{
-    kSurfaceVertex, kReceiverFragment, kPlaneDepth, kVolumeVertex,  kVolumeFragment,
-    kUsedPlanes,    kListPlanes,       kHits,       kBlocks,        kJudge,
-    kMarkCuts,      kPlaceCuts,        kListCuts,   kLandingVertex, kLandingFragment,
-    kSweepVertex,   kSweepFragment,    kCombine,    kUnlit,         kCast,
-    kWaterVertex,   kWaterFragment};
+    kSurfaceVertex, kReceiverFragment, kPlaneDepth,   kVolumeVertex,  kVolumeFragment,
+    kUsedPlanes,    kListPlanes,       kHits,         kBlocks,        kJudge,
+    kMarkCuts,      kPlaceCuts,        kListCuts,     kLandingVertex, kLandingFragment,
+    kSweepVertex,   kSweepFragment,    kCombine,      kShadeFragment, kUnlit,
+    kCast,          kWaterVertex,      kWaterFragment};
 
 }  // namespace lightbench

@@ -53,7 +53,7 @@ Buffer judge(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes
 /// Those that land, where their corners do.
 void draw_landings(FrameContext& frame, const Volumes& volumes, const Buffer& hits,
                    const HitOptions& options) {
-  const Program& program = frame.program(kLandingVertex, kLandingFragment);
+  const Program& program = frame.program(kLandingVertex, kLandingFragment, volumes.defines());
   program.use();
   program.set("tolerance", 2 / float(options.slices));
   volumes.set_uniforms(program);
@@ -63,7 +63,7 @@ void draw_landings(FrameContext& frame, const Volumes& volumes, const Buffer& hi
 
 /// Those that straddle surfaces, on each texel at its own depth.
 void draw_sweeps(FrameContext& frame, const Volumes& volumes) {
-  const Program& program = frame.program(kSweepVertex, kSweepFragment);
+  const Program& program = frame.program(kSweepVertex, kSweepFragment, volumes.defines());
   program.use();
   volumes.set_uniforms(program);
   volumes.places.bind_storage(1);
@@ -89,6 +89,7 @@ GlTexture draw_hits(FrameContext& frame, const ReceiverMap& map, const Volumes& 
   volumes.triangles.bind_storage(0);
   volumes.corners.bind_storage(2);
   lights.bind_storage(3);
+  volumes.spots.bind_storage(5);
   draw_landings(frame, volumes, hits, options);
   if (options.straddling == Straddling::split) draw_sweeps(frame, volumes);
   return caustics;

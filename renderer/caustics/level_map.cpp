@@ -41,8 +41,8 @@ void set_volume_state(PlaneTest test) {
 }
 
 /// What volume.vert.glsl and volume.frag.glsl are compiled with.
-ShaderDefines defines_of(PlaneTest test, const char* listed) {
-  ShaderDefines defines;
+ShaderDefines defines_of(const Volumes& volumes, PlaneTest test, const char* listed) {
+  ShaderDefines defines = volumes.defines();
   if (test == PlaneTest::discard) defines.emplace_back("PLANE_DISCARD");
   if (listed) defines.emplace_back(listed);
   return defines;
@@ -62,7 +62,7 @@ void begin_planes(FrameContext& frame, const ReceiverMap& map, const Volumes& vo
   const char* listed = planes ? "LISTED_PLANES" : nullptr;
   target.bind();
   set_volume_state(options.test);
-  use(frame.program(kVolumeVertex, kVolumeFragment, defines_of(options.test, listed)), map, volumes,
+  use(frame.program(kVolumeVertex, kVolumeFragment, defines_of(volumes, options.test, listed)), map, volumes,
       options.slices);
   glBindVertexArray(volumes.vertices.id());
   if (planes) planes->bind_storage(kPlanes);
@@ -75,7 +75,8 @@ void draw_instances(const Volumes& volumes, std::size_t count) {
 /// Each of the volumes by its own planes.
 void draw_cuts(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int slices,
                PlaneTest test, const Framebuffer& target) {
-  const Program& program = frame.program(kVolumeVertex, kVolumeFragment, defines_of(test, "LISTED_CUTS"));
+  const Program& program =
+      frame.program(kVolumeVertex, kVolumeFragment, defines_of(volumes, test, "LISTED_CUTS"));
   VolumeCuts cuts(frame, map, volumes, slices);
   target.bind();
   set_volume_state(test);
@@ -141,7 +142,7 @@ GlTexture draw_level_map(FrameContext& frame, const ReceiverMap& map, const Volu
 
 void draw_plane(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int plane, int slices,
                 const Framebuffer& target) {
-  const Program& program = frame.program(kVolumeVertex, kVolumeFragment, {"ONE_PLANE"});
+  const Program& program = frame.program(kVolumeVertex, kVolumeFragment, volumes.defines({"ONE_PLANE"}));
   target.bind();
   set_volume_state(PlaneTest::discard);
   use(program, map, volumes, slices);

@@ -55,7 +55,8 @@ class LightTracer {
         options_(options),
         mesh_(water_mesh(*scene.water, scene.time)),
         embree_(scene),
-        reach_(2 * world_bounds(scene).diagonal() + 1) {
+        reach_(2 * world_bounds(scene).diagonal() + 1),
+        crest_(highest_crest(*scene.water)) {
     for (std::size_t i = 0; i < scene.entities.size(); ++i) boxes_.push_back(receiver_box(scene, i, light));
     const std::int64_t triangles = std::int64_t(mesh_.triangles.size());
     strata_ = std::max(1, int(std::lround(std::sqrt(double(options.rays) / double(triangles)))));
@@ -171,7 +172,10 @@ class LightTracer {
 
   void deposit(const std::array<Landing, kPacket>& landings, int count) {
     const std::array<bool, kPacket> seen = unhindered(landings, count, [&](const Landing& landing) {
-      return std::pair(landing.point, reach_ * glm::vec3(boxes_[landing.entity].v));
+      // As far as the water reaches: maps show what is in it.
+      const glm::dvec3& axis = boxes_[landing.entity].v;
+      const double way = std::max(0.0, (crest_ - double(landing.point.y)) / axis.y);
+      return std::pair(landing.point, glm::vec3(way * axis));
     });
     for (int i = 0; i < count; ++i) {
       const Landing& landing = landings[std::size_t(i)];
@@ -249,6 +253,7 @@ class LightTracer {
   Mesh mesh_;
   EmbreeScene embree_;
   float reach_;
+  double crest_;
   std::vector<ReceiverBox> boxes_;
   int strata_;
   double unit_;

@@ -61,6 +61,7 @@ bool may_reach(const Volume& volume) {
 
 MapRays map_rays(const Mesh& water, const WaterLight& light, const ReceiverBox& box, VolumeCulling culling) {
   MapRays result;
+  result.spots = light.spots;
   std::vector<MapRay> rays;
   for (std::size_t i = 0; i < water.positions.size(); ++i) {
     const MapRay ray = map_ray(box, glm::dvec3(water.positions[i]), glm::dvec3(light.directions[i]));

@@ -24,6 +24,7 @@ struct MapRays {
   std::vector<glm::vec4>
       places;  ///< of each vertex's ray: x and y of the map at z = 0, and what each unit of z adds
   std::vector<glm::vec2> ways;      ///< the same of the way through the water, in the world
+  std::vector<glm::vec2> spots;     ///< as WaterLight has them
   std::vector<glm::uvec3> corners;  ///< of the triangles whose light may reach the box
   std::vector<Triangle> triangles;
   std::size_t lit = 0;  ///< triangles that let light in

@@ -2,8 +2,6 @@
 
 #include <glad/gl.h>
 
-#include "renderer/gl_program.h"
-
 namespace lightbench {
 
 void set_adding_state() {
@@ -18,22 +16,31 @@ void set_adding_state() {
 }
 
 Volumes::Volumes(const MapRays& rays, const ReceiverMap& map, const glm::vec3& absorption_,
-                 double least_texels)
+                 double least_texels, const GlTexture* shade_)
     : ray_count(int(rays.places.size())),
       triangle_count(int(rays.corners.size())),
       places(buffer_of(rays.places)),
       ways(buffer_of(rays.ways)),
+      spots(buffer_of(rays.spots)),
       corners(buffer_of(rays.corners)),
       triangles(buffer_of(rays.triangles)),
       absorption(absorption_),
-      map_area(float(map.box.size.x * map.box.size.z)) {
+      map_area(float(map.box.size.x * map.box.size.z)),
+      shade(shade_) {
   least_area = float(least_texels) * map_area / (float(map.places.width()) * float(map.places.height()));
   vertices.attribute(0, places, 4);
   vertices.attribute(1, ways, 2);
+  vertices.attribute(2, spots, 2);
   vertices.indices(corners);
 }
 
+ShaderDefines Volumes::defines(ShaderDefines more) const {
+  if (shade) more.emplace_back("SHADED");
+  return more;
+}
+
 void Volumes::set_uniforms(const Program& program) const {
+  if (shade) shade->bind(1);
   program.set("absorption", absorption);
   program.set("map_area", map_area);
   program.set("least_area", least_area);

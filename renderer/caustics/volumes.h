@@ -6,29 +6,32 @@
 #include "renderer/caustics/map_rays.h"
 #include "renderer/caustics/receiver_map.h"
 #include "renderer/gl_framebuffer.h"
+#include "renderer/gl_program.h"
 
 namespace lightbench {
-
-class Program;
 
 /// Illumination volumes of one light and one receiver on the GPU.
 struct Volumes {
   /// `least_area` of a triangle's image, in texels of the map: at folds it is 0, and flux over it without
-  /// bound.
-  Volumes(const MapRays& rays, const ReceiverMap& map, const glm::vec3& absorption, double least_area);
+  /// bound. `shade`: of draw_water_shade, null where nothing is above the water; it must outlive this.
+  Volumes(const MapRays& rays, const ReceiverMap& map, const glm::vec3& absorption, double least_area,
+          const GlTexture* shade = nullptr);
 
-  /// Sets the uniforms of techniques/caustics/volume.frag.glsl and landing.frag.glsl.
+  /// Adds what programs with techniques/caustics/flux.glsl must be compiled with.
+  ShaderDefines defines(ShaderDefines more = {}) const;
+  /// Sets their uniforms and textures.
   void set_uniforms(const Program& program) const;
 
   int ray_count = 0;
   int triangle_count = 0;
-  Buffer places, ways;   ///< as MapRays has them, vec4 and vec2
-  Buffer corners;        ///< three whole numbers of each triangle
-  Buffer triangles;      ///< MapRays::Triangle
-  VertexArray vertices;  ///< places and ways, indexed by corners
+  Buffer places, ways, spots;  ///< as MapRays has them: vec4, vec2 and vec2
+  Buffer corners;              ///< three whole numbers of each triangle
+  Buffer triangles;            ///< MapRays::Triangle
+  VertexArray vertices;        ///< places, ways and spots, indexed by corners
   glm::vec3 absorption{0};
   float map_area = 0;    ///< in the world
   float least_area = 0;  ///< in the world
+  const GlTexture* shade = nullptr;
 };
 
 /// Whatever is drawn is added to the target, everywhere.

@@ -22,8 +22,11 @@ WaterLight water_light(const Water& water, const Mesh& mesh, const Light& light,
   WaterLight result;
   std::vector<double> passes;  // of each vertex
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const glm::dvec3 direction = incidence_at(light, glm::dvec3(mesh.positions[i])).direction;
+    const glm::dvec3 place(mesh.positions[i]), direction = incidence_at(light, place).direction;
     const glm::dvec3 normal(mesh.normals[i]);
+    const glm::dvec3 on_level = place + (double(water.height) - place.y) / direction.y * direction;
+    result.spots.emplace_back((glm::dvec2(on_level.x, on_level.z) - glm::dvec2(water.min)) /
+                              (glm::dvec2(water.max) - glm::dvec2(water.min)));
     // Where a wave's far side sees no light its triangles have no flux; any direction will do.
     const bool lit = glm::dot(direction, normal) < 0;
     result.directions.emplace_back(lit ? *refracted(direction, normal, ratio) : -normal);

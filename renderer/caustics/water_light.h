@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include "scene/scene.h"
@@ -24,6 +25,8 @@ Incidence incidence_at(const Light& light, const glm::dvec3& point);
 struct WaterLight {
   std::vector<glm::vec3> directions;  ///< of each vertex: the refracted ray, unit
   std::vector<glm::vec3> flux;        ///< of each triangle, as it enters the water: irradiance times area
+  /// Of each vertex: where the light's ray to it passes the water's level, 0..1 over its rectangle.
+  std::vector<glm::vec2> spots;
 };
 
 /// With the vertices' own normals, and the triangles' true areas (the water caustics thesis, eq. 2-8 and

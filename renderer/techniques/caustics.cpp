@@ -9,6 +9,7 @@
 #include "renderer/caustics/draw_caustics.h"
 #include "renderer/caustics/map_rays.h"
 #include "renderer/caustics/receiver_map.h"
+#include "renderer/caustics/water_shade.h"
 #include "renderer/caustics/water_view.h"
 #include "renderer/direct_light.h"
 #include "renderer/frame_context.h"
@@ -29,10 +30,6 @@ std::vector<std::size_t> receivers(const FrameContext& frame, bool all) {
     if (all || may_be_visible(bounds, frame.camera().clip_from_world)) result.push_back(i);
   }
   return result;
-}
-
-bool reaches_above_water(const FrameContext& frame) {
-  return frame.gpu_scene().bounds().max.y > frame.scene().water->height;
 }
 
 GBuffer draw_surfaces(FrameContext& frame, const FrameCamera& camera, int width, int height,
@@ -72,7 +69,11 @@ void light(FrameContext& frame, const CausticsOptions& options, const Mesh& mesh
   const std::vector<std::size_t> lit = receivers(frame, pictures.size() > 1);
   for (const Light& light : scene.lights) {
     WaterLight through;
-    frame.pass("volumes", [&] { through = water_light(water, mesh, light, options.fresnel); });
+    std::optional<GlTexture> shade;
+    frame.pass("volumes", [&] {
+      through = water_light(water, mesh, light, options.fresnel);
+      shade = draw_water_shade(frame, light);
+    });
     for (const std::size_t receiver : lit) {
       MapRays rays;
       ReceiverMap map;
@@ -85,7 +86,7 @@ void light(FrameContext& frame, const CausticsOptions& options, const Mesh& mesh
       frame.pass("position map",
                  [&] { map = draw_receiver_map(frame, box, receiver, options.map_size, options.color); });
       frame.pass("caustics", [&] {
-        const Volumes volumes(rays, map, water.absorption, options.least_area);
+        const Volumes volumes(rays, map, water.absorption, options.least_area, shade ? &*shade : nullptr);
         caustics = draw_caustics(frame, map, volumes, detailed(frame, receiver, options));
       });
       frame.pass("cast", [&] {

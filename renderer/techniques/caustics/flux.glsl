@@ -7,12 +7,19 @@ struct Triangle {
 layout(std430, binding = 0) readonly buffer Triangles { Triangle triangles[]; };
 uniform vec3 absorption;
 uniform float least_area;
+#ifdef SHADED
+layout(binding = 1) uniform sampler2D open_water;  // of draw_water_shade
+#endif
 
 float area_at(Triangle triangle, float depth) {
   return abs(triangle.area.x + depth * (triangle.area.y + depth * triangle.area.z));
 }
 
-// a: 1 where the area was raised to the least.
-vec4 flux_of(Triangle triangle, float area, float way) {
-  return vec4(triangle.flux.rgb * exp(-absorption * way) / max(area, least_area), area < least_area ? 1.0 : 0.0);
+// a: 1 where the area was raised to the least. `spot`: where the light came through the water's level.
+vec4 flux_of(Triangle triangle, float area, float way, vec2 spot) {
+  vec4 flux = vec4(triangle.flux.rgb * exp(-absorption * way) / max(area, least_area), area < least_area ? 1.0 : 0.0);
+#ifdef SHADED
+  flux.rgb *= textureLod(open_water, spot, 0.0).r;
+#endif
+  return flux;
 }

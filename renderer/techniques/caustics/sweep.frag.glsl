@@ -7,6 +7,7 @@ layout(binding = 0) uniform sampler2D places;
 layout(std430, binding = 1) readonly buffer Rays { vec4 rays[]; };
 layout(std430, binding = 2) readonly buffer Corners { uint corners[]; };
 layout(std430, binding = 4) readonly buffer Ways { vec2 ways[]; };
+layout(std430, binding = 5) readonly buffer Spots { vec2 spots[]; };
 
 layout(location = 0) out vec4 caustics;
 
@@ -35,9 +36,11 @@ void main() {
                    to_the_left(point, corner.x, a, corner.y, b));
   bvec3 left = greaterThan(part, vec3(0.0));
   if (left.x != left.y || left.y != left.z) discard;
-  vec2 way_line = (part.x * ways[corner.x] + part.y * ways[corner.y] + part.z * ways[corner.z]) / (part.x + part.y + part.z);
+  part /= part.x + part.y + part.z;
+  vec2 way_line = part.x * ways[corner.x] + part.y * ways[corner.y] + part.z * ways[corner.z];
+  vec2 spot = part.x * spots[corner.x] + part.y * spots[corner.y] + part.z * spots[corner.z];
   float way = way_line.x + depth * way_line.y;
   if (way <= 0.0) discard;  // above the water
   Triangle triangle = triangles[triangle_number];
-  caustics = flux_of(triangle, area_at(triangle, depth), way);
+  caustics = flux_of(triangle, area_at(triangle, depth), way, spot);
 }

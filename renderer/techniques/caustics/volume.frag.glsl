@@ -11,6 +11,7 @@ layout(early_fragment_tests) in;  // against the planes of draw_plane_depths
 layout(location = 0) in float way;
 layout(location = 1) flat in float depth;
 layout(location = 2) flat in int plane;
+layout(location = 3) in vec2 spot;
 
 #ifdef LISTED_CUTS
 #include "techniques/caustics/cuts.glsl"
@@ -30,5 +31,5 @@ void main() {
 #else
   Triangle triangle = triangles[gl_PrimitiveID];
 #endif
-  caustics = flux_of(triangle, area_at(triangle, depth), way);
+  caustics = flux_of(triangle, area_at(triangle, depth), way, spot);
 }

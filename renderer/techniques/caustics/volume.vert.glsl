@@ -7,10 +7,12 @@ layout(std430, binding = 2) readonly buffer Cuts { uint cuts[]; };
 layout(std430, binding = 3) readonly buffer Rays { vec4 rays[]; };
 layout(std430, binding = 4) readonly buffer Ways { vec2 ways[]; };
 layout(std430, binding = 5) readonly buffer Corners { uint corners[]; };
+layout(std430, binding = 6) readonly buffer Spots { vec2 spots[]; };
 uniform int first;  // triangle
 #else
 layout(location = 0) in vec4 ray;      // place in the map at z = 0, and what each unit of z adds
 layout(location = 1) in vec2 ray_way;  // the same of the way through the water
+layout(location = 2) in vec2 ray_spot;
 #endif
 
 uniform float slices;
@@ -24,6 +26,7 @@ layout(std430, binding = 1) readonly buffer Planes { uint planes[]; };
 layout(location = 0) out float way;
 layout(location = 1) flat out float depth;
 layout(location = 2) flat out int plane;
+layout(location = 3) out vec2 spot;
 
 invariant gl_Position;  // alike in all ways of drawing, to the bit
 
@@ -34,6 +37,7 @@ void main() {
   uint number = corners[3 * (first + int(triangle_of_cut(cut))) + gl_VertexID % 3];
   vec4 ray = rays[number];
   vec2 ray_way = ways[number];
+  vec2 ray_spot = spots[number];
 #elif defined(ONE_PLANE)
   plane = one_plane;
 #elif defined(LISTED_PLANES)
@@ -43,5 +47,6 @@ void main() {
 #endif
   depth = float(plane) / slices;
   way = ray_way.x + depth * ray_way.y;
+  spot = ray_spot;
   gl_Position = vec4(2.0 * (ray.xy + depth * ray.zw) - 1.0, plane_depth(plane), 1.0);
 }

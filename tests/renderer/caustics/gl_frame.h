@@ -4,6 +4,7 @@
 
 #include "renderer/caustics/receiver_map.h"
 #include "renderer/caustics/volumes.h"
+#include "renderer/caustics/water_shade.h"
 #include "renderer/frame_context.h"
 #include "renderer/gl_context.h"
 #include "renderer/gpu_scene.h"
@@ -34,7 +35,9 @@ struct DrawnReceiver {
   DrawnReceiver(FrameContext& frame, std::size_t entity, int size, VolumeCulling culling = VolumeCulling::on)
       : map(draw_receiver_map(frame, receiver_box(frame.scene(), entity, frame.scene().lights[0]), entity,
                               size, ReceiverColor::surface)),
-        volumes(rays(frame.scene(), map.box, culling), map, frame.scene().water->absorption, 1.0 / 256) {}
+        shade(draw_water_shade(frame, frame.scene().lights[0])),
+        volumes(rays(frame.scene(), map.box, culling), map, frame.scene().water->absorption, 1.0 / 256,
+                shade ? &*shade : nullptr) {}
 
   static MapRays rays(const Scene& scene, const ReceiverBox& box, VolumeCulling culling) {
     const Mesh mesh = water_mesh(*scene.water, scene.time);
@@ -42,6 +45,7 @@ struct DrawnReceiver {
   }
 
   ReceiverMap map;
+  std::optional<GlTexture> shade;
   Volumes volumes;
 };
 

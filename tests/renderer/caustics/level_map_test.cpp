@@ -70,8 +70,52 @@ TEST(GlLevelMap, AllWaysGiveTheSameBits) {
     }
 }
 
-TEST(GlVolumetric, GivesTheBitsOfTheLevelMap) {
+/// Something that reaches out of the water, and something over it.
+Scene shaded_sphere() {
   Scene scene = sphere_in_waves();
+  add_box(scene, "post", {{-1.5f, 0, -0.2f}, {-1.3f, 4, 0.2f}});
+  add_box(scene, "board", {{-1.5f, 3.9f, -0.3f}, {0.2f, 4, 0.3f}});
+  return scene;
+}
+
+FluxLikeness to_rays(const Scene& scene, std::size_t entity) {
+  LightTraceOptions options;
+  options.rays = 4'000'000;
+  options.map_size = 256;
+  const FluxField traced = flux_field(trace_light(scene, scene.lights[0], options).maps[entity]);
+  return compare_flux(flux_field(level_map(scene, entity, {}, 256)), traced, 8);
+}
+
+TEST(GlLevelMap, WhatStandsAboveTheWaterShadesIt) {
+  Light lamp = point_light({-1, 8, 0.5f});
+  lamp.power = 50;
+  lamp.attenuation = {Attenuation::Kind::inverse_square};
+  for (const Light& light : {directional_light({0.4f, -2, 0.3f}), lamp}) {
+    Scene shaded = shaded_sphere(), open = sphere_in_waves();
+    shaded.lights = open.lights = {light};
+    for (const std::size_t entity : {0U, 1U}) {
+      // As near to rays as without the shade.
+      const FluxLikeness with = to_rays(shaded, entity), without = to_rays(open, entity);
+      EXPECT_GT(with.correlation, without.correlation - 0.01) << light.name << entity;
+      EXPECT_NEAR(with.energy, without.energy, 0.03) << light.name << entity;
+    }
+    const FluxField dark = flux_field(level_map(shaded, 1)), bright = flux_field(level_map(open, 1));
+    EXPECT_LT(compare_flux(dark, bright, 8).energy, 0.9) << light.name;
+  }
+}
+
+TEST(GlLevelMap, AllWaysGiveTheSameBitsInShade) {
+  const Scene scene = shaded_sphere();
+  const Image expected = level_map(scene, 1);
+  for (const Slicing slicing : {Slicing::smart, Slicing::uniform}) {
+    LevelMapOptions options;
+    options.slicing = slicing;
+    EXPECT_EQ(level_map(scene, 1, options), expected) << int(slicing);
+  }
+}
+
+TEST(GlVolumetric, GivesTheBitsOfTheLevelMap) {
+  Scene scene = shaded_sphere();
   add_box(scene, "lid", {{-0.5f, 2.2f, -0.5f}, {0, 2.3f, 0.5f}});
   const Image expected = level_map(scene, 1);
   for (const SliceDrawing drawing : {SliceDrawing::whole, SliceDrawing::clusters}) {
@@ -121,8 +165,8 @@ TEST(GlLevelMap, AClosedTankKeepsAllLight) {
   scene.water->grid = {71, 71};
   for (const float side : {-1.0f, 1.0f}) {
     const float near = side * 2, far = side * 2.2f;
-    add_box(scene, "wall", {{std::min(near, far), 0, -2.2f}, {std::max(near, far), 2.3f, 2.2f}});
-    add_box(scene, "wall", {{-2, 0, std::min(near, far)}, {2, 2.3f, std::max(near, far)}});
+    add_box(scene, "wall", {{std::min(near, far), 0, -2.2f}, {std::max(near, far), 2, 2.2f}});
+    add_box(scene, "wall", {{-2, 0, std::min(near, far)}, {2, 2, std::max(near, far)}});
   }
   EXPECT_NEAR(landed_share(scene), 1, 0.01);
   scene.water->waves = {{0.03f, 1.1f, {0.6f, 0.8f}, 0, 0}, {0.02f, 0.8f, {-0.8f, 0.6f}, 0, 1}};
