@@ -172,12 +172,14 @@ std::string spread_text(const SlicingReport& report) {
 }
 
 std::string about(const SlicingReport& report) {
-  return fmt::format(
-      "Milliseconds for one receiver's maps: the position map and the map of caustics; of `volumetric`, "
-      "which needs no position "
-      "map but for casting, the map of caustics alone. Medians of {} rounds in which the methods take turns, "
-      "{}. ",
-      report.rounds, report.renderer);
+  const std::string rounds = report.rounds > 1
+                                 ? fmt::format("Medians of {} rounds in which the methods take turns, {}. {}",
+                                               report.rounds, report.renderer, spread_text(report))
+                                 : fmt::format("One round, after one to warm up, {}.", report.renderer);
+  return "Milliseconds for one receiver's maps: the position map and the map of caustics; of `volumetric`, "
+         "which "
+         "needs no position map but for casting, the map of caustics alone. " +
+         rounds;
 }
 
 std::string chart_of(const SlicedReceiver& receiver, const std::string& title,
@@ -215,8 +217,7 @@ std::string page(const SlicingReport& report) {
       "<header class=\"top\"><div class=\"brand\">lightbench</div><h1>Planes of "
       "caustics</h1></header>\n<main>\n",
       kReportCss);
-  text += "<section><h2>Means</h2>\n<p>" + h(about(report) + spread_text(report)) + "</p>\n" +
-          html(means(report)) + "</section>\n";
+  text += "<section><h2>Means</h2>\n<p>" + h(about(report)) + "</p>\n" + html(means(report)) + "</section>\n";
   std::string pictures;
   for (const SlicedReceiver& receiver : report.receivers)
     if (receiver.times.size() >= kFewestInChart) pictures += charts(receiver);
@@ -242,7 +243,7 @@ const std::vector<MethodRatio>& slicing_ratios() {
 
 std::vector<ReportFile> slicing_files(const SlicingReport& report) {
   if (report.receivers.empty()) return {};
-  const std::string text = "# Planes of caustics\n\n" + about(report) + spread_text(report) +
+  const std::string text = "# Planes of caustics\n\n" + about(report) +
                            "\n\nMeans over the receivers, and the least and the most:\n\n" +
                            markdown(means(report)) + "\nOf each receiver:\n\n" +
                            markdown(by_receiver(report));

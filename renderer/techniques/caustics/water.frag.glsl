@@ -1,6 +1,5 @@
-// What the water's surface shows: the scene below it, which a ray looks for in a picture of it from where its rays seem to come
-// from, and the
-// background.
+// What the water's surface shows: the scene below it, which each ray looks for in a picture of it from where the rays of flat
+// water seem to come from, and the background.
 layout(location = 0) in vec3 relative_position;
 layout(location = 1) in vec3 water_normal;
 
@@ -43,8 +42,12 @@ float behind(vec3 p) {
 float meeting(vec3 start, vec3 ray) {
   float step = reach / float(kSteps);
   float before = 0.0;
-  bool over = behind(start) <= 0.0;
-  float hidden = -1.0;
+  float behind_start = behind(start);
+  bool over = behind_start <= 0.0;
+  // At a wall that the water touches a ray may begin a little behind it: what it meets if it meets nothing else.
+  bool begins_there = !over && behind_start < texel_slope * dot(start - map_camera, map_forward);
+  float hidden = begins_there ? 0.0 : -1.0;
+  bool passed_behind = false;
   for (int i = 1; i <= kSteps; ++i) {
     float after = float(i) * step;
     bool under = behind(start + after * ray) > 0.0;
@@ -61,7 +64,8 @@ float meeting(vec3 start, vec3 ray) {
       // On a surface the two ends are one place; at an edge they are not.
       vec3 met = start + far * ray;
       if (behind(met) < 4.0 * (far - near) + texel_slope * dot(met - map_camera, map_forward)) return far;
-      if (hidden < 0.0) hidden = far;
+      if (!passed_behind) hidden = far;
+      passed_behind = true;
     }
     over = !under;
     before = after;
