@@ -35,6 +35,14 @@ double tick_step(double most) {
   return 10 * power;
 }
 
+/// From 0 to the end of the axis.
+std::vector<double> ticks(const Axis& axis) {
+  const double step = tick_step(axis.most);
+  std::vector<double> values;
+  for (int i = 0; i * step <= 1.0001 * axis.most; ++i) values.push_back(i * step);
+  return values;
+}
+
 std::string text(double x, double y, const char* anchor, const std::string& what) {
   return fmt::format(R"(<text x="{:.1f}" y="{:.1f}" text-anchor="{}">{}</text>)", x, y, anchor,
                      escape_markup(what));
@@ -42,11 +50,11 @@ std::string text(double x, double y, const char* anchor, const std::string& what
 
 std::string frame(const ChartTexts& texts, const Axis& x, const Axis& y) {
   std::string svg;
-  for (double value = 0, step = tick_step(y.most); value <= 1.0001 * y.most; value += step)
+  for (const double value : ticks(y))
     svg += fmt::format(R"(<line class="grid" x1="{:.1f}" y1="{:.1f}" x2="{:.1f}" y2="{:.1f}"/>)", x.from,
                        y.at(value), x.to, y.at(value)) +
            text(x.from - 8, y.at(value) + 4, "end", fmt::format("{:g}", value));
-  for (double value = 0, step = tick_step(x.most); value <= 1.0001 * x.most; value += step)
+  for (const double value : ticks(x))
     svg += text(x.at(value), y.from + 16, "middle", fmt::format("{:g}", value));
   return svg + text((x.from + x.to) / 2, kHeight - 8, "middle", texts.x_axis) +
          text(8, kTop - 14, "start", texts.y_axis);

@@ -6,7 +6,6 @@ namespace lightbench {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 TEST(LineChart, PutsPointsWhereTheAxesSay) {
   const std::string svg = line_chart({"t", "x", "y"}, {{"one", {{0, 0}, {50, 5}, {100, 10}}}});
