@@ -53,6 +53,49 @@ TEST(GlLevelMap, APointLightsAsItsDistance) {
   EXPECT_NEAR(double(map.pixel(64, 64)[0]), 1 / (distance * distance), 2e-4);
 }
 
+TEST(GlLevelMap, ASineWaveFocusesAtTheAnalyticDepth) {
+  Scene scene = pool_scene({0, -1, 0});
+  const double amplitude = 0.02, wave_number = 2 * 3.14159265358979 / 0.8;
+  // A crest is a lens of this focal length: it bends rays by (1 - 1 / ior) times its slope.
+  const double focus = 1 / ((1 - 1 / double(scene.water->ior)) * amplitude * wave_number * wave_number);
+  scene.water->grid = {561, 5};
+  scene.water->waves = {{float(amplitude), 0.8f, {1, 0}, 0, 1.5707963f}};  // a crest at x = 0
+  add_box(scene, "stone", {{-0.5f, 0, -0.5f}, {0.5f, 0.01f, 0.5f}});
+  for (const double share : {0.25, 0.5, 0.75}) {
+    const double depth = share * focus;  // below the crest
+    scene.water->height = float(depth - amplitude + 0.01);
+    const Image map = level_map(scene, 1, {}, 256);
+    EXPECT_NEAR(double(map.pixel(128, 128)[0]), 1 / (1 - share), 0.02 / (1 - share)) << share;
+    // Under a trough, at x = 0.4 and -0.4, whichever way the map lies.
+    const float trough = std::min({map.pixel(230, 128)[0], map.pixel(26, 128)[0], map.pixel(128, 230)[0]});
+    EXPECT_NEAR(double(trough), 1 / (1 + (depth - 2 * amplitude) / focus), 0.01) << share;
+  }
+}
+
+TEST(GlCausticsTechnique, TwoLightsAdd) {
+  Scene scene = sphere_in_waves();
+  const Light first = scene.lights[0];
+  Light second = directional_light({-0.5f, -1, 0.2f});
+  second.name = "moon";
+  second.color = {0.2f, 0.4f, 0.8f};
+  const auto picture = [&](const std::vector<Light>& lights) {
+    scene.lights = lights;
+    RenderSetup setup;
+    setup.technique = "caustics";
+    setup.params = {{"map_size", 64LL}, {"surface", false}};
+    return render(scene, top_view(6), setup).image;
+  };
+  const Image both = picture({first, second}), one = picture({first}), other = picture({second});
+  float most = 0;
+  for (std::size_t i = 0; i < both.data.size(); ++i) {
+    if (i % 4 == 3) continue;
+    // Of what half floats keep.
+    ASSERT_NEAR(both.data[i], one.data[i] + other.data[i], 2e-3f * (1 + both.data[i])) << i;
+    most = std::max(most, other.data[i]);
+  }
+  EXPECT_GT(most, 0.2f);
+}
+
 TEST(GlLevelMap, AllWaysGiveTheSameBits) {
   const Scene scene = sphere_in_waves();
   LevelMapOptions plain;
