@@ -1,5 +1,7 @@
 #include "pipeline/caustics_methods.h"
 
+#include "base/error.h"
+#include "renderer/caustics/water_light.h"
 #include "renderer/technique.h"
 
 namespace lightbench {
@@ -17,6 +19,13 @@ const std::vector<CausticsMethodRow>& caustics_methods() {
       {"hit, no split", {{"method", "hit"}, {"straddling", "drop"}}, false},
   };
   return rows;
+}
+
+void require_lit_water(const Scene& scene) {
+  if (!scene.water) throw Error("the scene has no water", scene.name);
+  for (const Light& light : scene.lights)
+    if (const std::string problem = water_light_problem(scene, light); !problem.empty())
+      throw Error(problem, scene.name);
 }
 
 ParamValues method_params(const CausticsMethodRow& method, int map_size, int slices) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/params.h"
+#include "scene/scene.h"
 
 namespace lightbench {
 
@@ -17,6 +18,9 @@ struct CausticsMethodRow {
 };
 
 const std::vector<CausticsMethodRow>& caustics_methods();
+
+/// Throws Error for a scene without water and for lights that cannot shine through it.
+void require_lit_water(const Scene& scene);
 
 /// All parameters of the technique for a row.
 ParamValues method_params(const CausticsMethodRow& method, int map_size, int slices);

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "base/error.h"
 #include "base/files.h"
 #include "base/image_io.h"
 #include "pipeline/caustics_methods.h"
@@ -182,10 +181,7 @@ class Study {
 
 std::vector<ReceiverFigures> study_caustics(const Scene& scene, const CausticsStudyOptions& options,
                                             const std::function<void(const std::string&)>& progress) {
-  if (!scene.water) throw Error("the scene has no water", scene.name);
-  for (const Light& light : scene.lights)
-    if (const std::string problem = water_light_problem(scene, light); !problem.empty())
-      throw Error(problem, scene.name);
+  require_lit_water(scene);
   Study study(scene, options, progress);
   std::vector<ReceiverFigures> figures;
   for (const Light& light : scene.lights)

@@ -4,12 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
 #include "pipeline/bench.h"
 #include "pipeline/caustics_methods.h"
 #include "renderer/caustics/caustics_maps.h"
 #include "renderer/caustics/flux_compare.h"
-#include "renderer/caustics/water_light.h"
 
 namespace lightbench {
 namespace {
@@ -64,10 +62,7 @@ void add_times(CausticsMaps& maps, std::size_t entity, const Light& light, int p
 
 std::vector<SlicedReceiver> study_slicing(const Scene& scene, const SlicingStudyOptions& options,
                                           const std::function<void(const std::string&)>& progress) {
-  if (!scene.water) throw Error("the scene has no water", scene.name);
-  for (const Light& light : scene.lights)
-    if (const std::string problem = water_light_problem(scene, light); !problem.empty())
-      throw Error(problem, scene.name);
+  require_lit_water(scene);
   CausticsMaps maps(scene, options.backend);
   std::vector<SlicedReceiver> receivers;
   for (const Light& light : scene.lights)

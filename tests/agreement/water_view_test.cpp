@@ -17,34 +17,15 @@ constexpr int kWidth = 160, kHeight = 120;
 constexpr float kScale = 4, kOffset = 3;  // places between -3 and 3 as colours
 
 Scene coloured_by_place() {
-  Scene scene = pool_scene({0.25f, -1, 0.15f});
+  Scene scene = ball_in_waves();
   scene.lights.clear();
   scene.water->ambient = glm::vec3(1);
-  scene.water->height = 1.6f;
-  scene.water->grid = {201, 201};
-  scene.water->waves = {{0.02f, 0.9f, {0.8f, 0.6f}, 0, 0},
-                        {0.011f, 0.65f, {-0.5f, 0.866f}, 0, 1},
-                        {0.0065f, 0.5f, {0.97f, -0.24f}, 0, 2},
-                        {0.0043f, 0.42f, {0.2f, 0.98f}, 0, 5}};
-  add_sphere(scene, "ball", {0, 0.5f, 0}, 0.5f);
   scene.materials[0].diffuse = glm::vec3(1);
   for (Mesh& mesh : scene.meshes) {
     mesh.colors.clear();
     for (const glm::vec3& place : mesh.positions) mesh.colors.push_back((place + kOffset) / kScale);
   }
   return scene;
-}
-
-View looking_down(double degrees) {
-  const double angle = degrees * 3.14159265358979 / 180;
-  View view;
-  view.name = "down";
-  view.camera.position =
-      glm::vec3(glm::dvec3(0.3, 1, 0) + 5.0 * glm::dvec3(0, std::sin(angle), std::cos(angle)));
-  view.camera.look_at = {0, 1, 0};
-  view.camera.up = degrees > 80 ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
-  view.camera.fov = 0.4f;
-  return view;
 }
 
 Image through(const Scene& scene, const View& view) {

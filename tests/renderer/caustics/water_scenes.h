@@ -61,4 +61,30 @@ inline Scene sphere_in_waves() {
   return scene;
 }
 
+/// A ball on the floor below fine waves, whose strength at the depth of its middle is 1.2.
+inline Scene ball_in_waves() {
+  Scene scene = pool_scene({0.25f, -1, 0.15f});
+  scene.water->height = 1.6f;
+  scene.water->grid = {201, 201};
+  scene.water->waves = {{0.02f, 0.9f, {0.8f, 0.6f}, 0, 0},
+                        {0.011f, 0.65f, {-0.5f, 0.866f}, 0, 1},
+                        {0.0065f, 0.5f, {0.97f, -0.24f}, 0, 2},
+                        {0.0043f, 0.42f, {0.2f, 0.98f}, 0, 5}};
+  add_sphere(scene, "ball", {0, 0.5f, 0}, 0.5f);
+  return scene;
+}
+
+/// From five units away on it, so many degrees above the horizon.
+inline View looking_down(double degrees) {
+  const double angle = degrees * 3.14159265358979 / 180;
+  View view;
+  view.name = "down";
+  view.camera.position =
+      glm::vec3(glm::dvec3(0.3, 1, 0) + 5.0 * glm::dvec3(0, std::sin(angle), std::cos(angle)));
+  view.camera.look_at = {0, 1, 0};
+  view.camera.up = degrees > 80 ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
+  view.camera.fov = 0.4f;
+  return view;
+}
+
 }  // namespace lightbench::test

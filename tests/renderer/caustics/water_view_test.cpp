@@ -17,18 +17,6 @@ using namespace test;
 
 constexpr int kWidth = 160, kHeight = 120;
 
-View looking_down(double degrees) {
-  const double angle = degrees * 3.14159265358979 / 180;
-  View view;
-  view.name = "down";
-  view.camera.position =
-      glm::vec3(glm::dvec3(0.3, 1, 0) + 5.0 * glm::dvec3(0, std::sin(angle), std::cos(angle)));
-  view.camera.look_at = {0, 1, 0};
-  view.camera.up = degrees > 80 ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
-  view.camera.fov = 0.4f;
-  return view;
-}
-
 FrameResult drawn(const Scene& scene, const View& view) {
   RenderSetup setup;
   setup.technique = "caustics";
@@ -80,15 +68,7 @@ double wrong_share(const Scene& scene, const View& view) {
 }
 
 TEST(GlWaterView, ShowsWhatRefractedRaysMeet) {
-  Scene scene = pool_scene({0.25f, -1, 0.15f});
-  scene.water->height = 1.6f;
-  scene.water->grid = {201, 201};
-  // A strength of 1.2 at the depth of the ball's middle.
-  scene.water->waves = {{0.02f, 0.9f, {0.8f, 0.6f}, 0, 0},
-                        {0.011f, 0.65f, {-0.5f, 0.866f}, 0, 1},
-                        {0.0065f, 0.5f, {0.97f, -0.24f}, 0, 2},
-                        {0.0043f, 0.42f, {0.2f, 0.98f}, 0, 5}};
-  add_sphere(scene, "ball", {0, 0.5f, 0}, 0.5f);
+  const Scene scene = ball_in_waves();
   for (const double degrees : {35, 50, 70, 90})
     EXPECT_LT(wrong_share(scene, looking_down(degrees)), 0.01) << degrees;
 }
