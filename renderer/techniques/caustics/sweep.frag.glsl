@@ -12,15 +12,15 @@ layout(std430, binding = 5) readonly buffer Spots { vec2 spots[]; };
 layout(location = 0) out vec4 caustics;
 
 // Twice the area from an edge to a point, positive on the left of a -> b. By the edge's lower corner first, so that the
-// triangles on both sides of it agree to the bit, and none or both of them never hold a point.
+// triangles on both sides of it agree to the bit, and a point is always in just one of them.
 float to_the_left(vec2 point, uint from, vec2 a, uint to, vec2 b) {
   bool turned = from > to;
   vec2 start = turned ? b : a;
   vec2 edge = (turned ? a : b) - start;
   vec2 along = point - start;
   precise float twice = edge.x * along.y - edge.y * along.x;
-  // On the edge: left of it from its lower corner.
-  if (twice == 0.0) twice = 1e-38;
+  // On the edge: left of it from its lower corner. Far below any area that counts, and above what is flushed to 0.
+  if (twice == 0.0) twice = 1e-30;
   return turned ? -twice : twice;
 }
 

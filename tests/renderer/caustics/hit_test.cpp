@@ -80,6 +80,16 @@ TEST(GlHit, ReceiversSmallerThanAnImageOfATriangleAreLit) {
   EXPECT_NEAR(double(hit_map(scene, 1).pixel(64, 64)[0]), 1, 1e-3);
 }
 
+TEST(GlHit, TexelsOnEdgesOfTheWatersTrianglesAreLitOnce) {
+  Scene scene = pool_scene({0, -1, 0});
+  // Smaller than the triangles at its middle, so that all straddle it; edges, and diagonals, run through the
+  // middles of texels of a map with one in its middle.
+  add_box(scene, "stone", {{-0.4f, 0, -0.4f}, {0.4f, 0.1f, 0.4f}});
+  const Image map = hit_map(scene, 1, Straddling::split, 127);
+  for (int y = 0; y < 127; ++y)
+    for (int x = 0; x < 127; ++x) ASSERT_NEAR(map.pixel(x, y)[0], 1, 1e-3) << x << " " << y;
+}
+
 TEST(GlHit, NothingLandsWhereAllLightPassesBy) {
   Scene scene = pool_scene({0, -1, 0});
   add_box(scene, "stone", {{3, 0, 3}, {3.5f, 0.5f, 3.5f}});
