@@ -149,9 +149,7 @@ class Study {
         figures.drawn = drawn.drawn;
         figures.sideways = drawn.sideways;
         figures.raised = drawn.raised;
-        figures.planes =
-            drawn.texels_by_plane.size() -
-            std::size_t(std::count(drawn.texels_by_plane.begin(), drawn.texels_by_plane.end(), 0U));
+        figures.planes = drawn.used_planes();
       }
       figures.methods.push_back({method.name, compare_flux(field, truth, most),
                                  differing_texels(drawn.flux, first), drawn.texture_bytes,

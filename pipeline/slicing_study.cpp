@@ -52,8 +52,7 @@ void add_times(CausticsMaps& maps, std::size_t entity, const Light& light, int p
     const BenchTime time = summarize(methods[m].name, seconds[m]);
     times.methods.push_back({time.pass, 1e3 * time.median, 1e3 * time.lower, 1e3 * time.upper});
   }
-  times.used = int(first.texels_by_plane.size()) -
-               int(std::count(first.texels_by_plane.begin(), first.texels_by_plane.end(), 0U));
+  times.used = int(first.used_planes());
   receiver.texels_by_plane = std::move(first.texels_by_plane);
   receiver.times.push_back(std::move(times));
 }

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "reports/escape.h"
-#include "reports/formats/html_parts.h"
+#include "reports/formats/html_page.h"
 #include "reports/line_chart.h"
 
 namespace lightbench {
@@ -207,16 +207,9 @@ std::string charts(const SlicedReceiver& receiver) {
 }
 
 std::string page(const SlicingReport& report) {
-  std::string text = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>Planes of caustics · lightbench</title>\n"
-      "<style>\n{}.charts {{ display: grid; grid-template-columns: repeat(auto-fit, minmax(28rem, 1fr)); "
-      "gap: 1rem; }}\n"
-      ".scroll {{ overflow-x: auto; }}\n</style>\n</head>\n<body>\n"
-      "<header class=\"top\"><div class=\"brand\">lightbench</div><h1>Planes of "
-      "caustics</h1></header>\n<main>\n",
-      kReportCss);
+  std::string text = html_page_start("Planes of caustics") +
+                     "<header class=\"top\"><div class=\"brand\">lightbench</div><h1>Planes of "
+                     "caustics</h1></header>\n<main>\n";
   text += "<section><h2>Means</h2>\n<p>" + h(about(report)) + "</p>\n" + html(means(report)) + "</section>\n";
   std::string pictures;
   for (const SlicedReceiver& receiver : report.receivers)

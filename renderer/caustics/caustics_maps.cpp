@@ -1,5 +1,7 @@
 #include "renderer/caustics/caustics_maps.h"
 
+#include <algorithm>
+
 #include <glad/gl.h>
 
 #include "base/stopwatch.h"
@@ -27,6 +29,11 @@ struct CausticsMaps::Impl {
   FrameContext frame;
   Mesh mesh;
 };
+
+std::size_t CausticsMap::used_planes() const {
+  return std::size_t(
+      std::count_if(texels_by_plane.begin(), texels_by_plane.end(), [](std::size_t n) { return n > 0; }));
+}
 
 CausticsMaps::CausticsMaps(const Scene& scene, GlBackend backend)
     : impl_(std::make_unique<Impl>(scene, backend)) {}

@@ -18,6 +18,7 @@ struct CausticsMap {
   ReceiverBox box;
   Image flux;                                ///< as draw_level_map gives it; row 0 on top
   std::vector<std::size_t> texels_by_plane;  ///< of the position map
+  std::size_t used_planes() const;           ///< to which any belong
   std::size_t lit = 0;                       ///< triangles of the water that let light in
   std::size_t drawn = 0;                     ///< of them, those whose light may reach the receiver
   std::size_t sideways = 0;                  ///< of them, those that no map shows

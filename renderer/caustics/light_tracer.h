@@ -32,7 +32,7 @@ struct LightTrace {
   std::int64_t rays = 0;
   glm::dvec3 sent{0};    ///< flux that enters the water
   glm::dvec3 landed{0};  ///< that reaches a surface, after what the water takes
-  glm::dvec3 hidden{0};  ///< of it, on what another surface stands over: no map shows it
+  glm::dvec3 hidden{0};  ///< of it, on what another surface in the water stands over: no map shows it
 };
 
 /// Rays from one light through the water's mesh onto the scene's surfaces, exact for this path but for noise:

@@ -14,14 +14,7 @@ namespace {
 // Storage blocks of mark_cuts, place_cuts and list_cuts.
 enum Block : unsigned { kRays, kCorners, kMarks, kCounts, kCuts };
 // Of volume.vert.glsl and volume.frag.glsl.
-enum DrawnBlock : unsigned {
-  kDrawnTriangles,
-  kDrawnCuts = 2,
-  kDrawnRays,
-  kDrawnWays,
-  kDrawnCorners,
-  kDrawnSpots
-};
+enum DrawnBlock : unsigned { kDrawnCuts = 2, kDrawnRays, kDrawnWays, kDrawnCorners, kDrawnSpots };
 
 constexpr int kMostCuts = 1 << 20;     // listed at a time: 4 MB
 constexpr int kMostVolumes = 1 << 16;  // of the 19 bits that cuts.glsl has for them
@@ -82,15 +75,12 @@ bool VolumeCuts::list_next() {
 }
 
 void VolumeCuts::draw(const Program& program) const {
-  program.use();
   program.set("first", first_);
-  volumes_.triangles.bind_storage(kDrawnTriangles);
   cuts_.bind_storage(kDrawnCuts);
   volumes_.places.bind_storage(kDrawnRays);
   volumes_.ways.bind_storage(kDrawnWays);
   volumes_.corners.bind_storage(kDrawnCorners);
   volumes_.spots.bind_storage(kDrawnSpots);
-  map_.places.bind(0);
   glBindVertexArray(no_attributes_.id());
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, command_.id());
   glDrawArraysIndirect(GL_TRIANGLES, nullptr);

@@ -17,7 +17,8 @@ class VolumeCuts {
 
   /// False at the end.
   bool list_next();
-  /// What list_next listed, by a program of volume.vert.glsl and volume.frag.glsl with LISTED_CUTS.
+  /// What list_next listed, by a program of volume.vert.glsl and volume.frag.glsl with LISTED_CUTS, which is
+  /// in use with all but its cuts.
   void draw(const Program& program) const;
 
  private:

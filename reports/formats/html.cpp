@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "reports/escape.h"
 #include "reports/formats/html_parts.h"
 #include "reports/value_text.h"
 
@@ -51,19 +50,10 @@ std::string navigation(const RunReport& report, bool problems) {
 
 }  // namespace
 
-std::string h(std::string_view text) {
-  return escape_markup(text);
-}
-
 std::vector<ReportFile> write_html(const RunReport& report) {
   const ViewRows rows(report);
   const std::string problems = html_problems(report);
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<meta name=\"color-scheme\" content=\"light dark\">\n<title>{} · lightbench</title>\n"
-      "<style>\n{}</style>\n</head>\n<body>\n",
-      h(report.job), kReportCss);
+  std::string page = html_page_start(report.job);
   page += header(report) + navigation(report, !problems.empty()) + "<main>\n";
   page += html_summary(report, rows) + html_sequences(report, rows) + html_gates(report) + problems +
           html_pictures(report, rows) + html_scores(report, rows) + html_objects(report) + html_about(report);

@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "reports/formats/html_page.h"
 #include "reports/run_report.h"
 
 /// The sections of index.html; private to the HTML format.
 namespace lightbench {
 
-extern const char kReportCss[];
 extern const char kReportJs[];
 
 /// The run by view, in the order of the job.
@@ -50,8 +50,6 @@ std::string html_about(const RunReport& report);
 /// What the script needs to know, as JSON for a <script> element.
 std::string html_data(const RunReport& report, const ViewRows& rows);
 
-/// Escaped for HTML.
-std::string h(std::string_view text);
 /// A <td> with a number: the text, its tooltip, and the value that sorting uses. `ceiling` stands beside a
 /// gain.
 std::string number_cell(const std::string& metric, const MetricValue& value, const MetricValue& ceiling);
