@@ -14,8 +14,9 @@ Buffer zeros(std::size_t bytes) {
   return Buffer(none.data(), bytes);
 }
 
-const Program& marching(FrameContext& frame, const char* shader, const HitOptions& options) {
-  const Program& program = frame.compute_program(shader);
+const Program& marching(FrameContext& frame, const char* shader, const HitOptions& options,
+                        const ShaderDefines& defines = {}) {
+  const Program& program = frame.compute_program(shader, defines);
   program.set("steps", options.steps);
   program.set("tolerance", 1 / float(options.slices));
   return program;
@@ -36,16 +37,21 @@ Buffer find_hits(FrameContext& frame, const Volumes& volumes, const HitOptions& 
 /// How each triangle lights the receiver, as in lights.glsl.
 Buffer judge(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, const Buffer& hits,
              const HitOptions& options) {
-  const Buffer blocks = map_blocks(frame, map, options.slices);
+  const bool splits = options.straddling == Straddling::split;
+  Buffer blocks;
+  if (splits) blocks = map_blocks(frame, map, options.slices);
   Buffer lights = zeros(std::size_t(volumes.triangle_count) * sizeof(glm::vec2));
-  const Program& program = marching(frame, kJudge, options);
+  const Program& program =
+      marching(frame, kJudge, options, splits ? ShaderDefines{"SPLITS"} : ShaderDefines{});
   program.set("triangle_count", volumes.triangle_count);
-  program.set("slices", options.slices);
   volumes.places.bind_storage(0);
   hits.bind_storage(1);
   volumes.corners.bind_storage(2);
   lights.bind_storage(3);
-  blocks.bind_storage(kMapBlocksBlock);
+  if (splits) {
+    program.set("slices", options.slices);
+    blocks.bind_storage(kMapBlocksBlock);
+  }
   frame.compute(program, volumes.triangle_count);
   return lights;
 }
@@ -67,7 +73,6 @@ void draw_sweeps(FrameContext& frame, const Volumes& volumes) {
   program.use();
   volumes.set_uniforms(program);
   volumes.places.bind_storage(1);
-  volumes.ways.bind_storage(4);
   glDrawArrays(GL_TRIANGLES, 0, 6 * volumes.triangle_count);
 }
 
@@ -89,6 +94,7 @@ GlTexture draw_hits(FrameContext& frame, const ReceiverMap& map, const Volumes& 
   volumes.triangles.bind_storage(0);
   volumes.corners.bind_storage(2);
   lights.bind_storage(3);
+  volumes.ways.bind_storage(4);
   volumes.spots.bind_storage(5);
   draw_landings(frame, volumes, hits, options);
   if (options.straddling == Straddling::split) draw_sweeps(frame, volumes);

@@ -1,25 +1,16 @@
 // The flux that a triangle of the water sends onto each unit of the map's area (the water caustics thesis, 4.4 and 4.5, eq.
 // 4-16 to 4-18).
-struct Triangle {
-  vec4 flux;
-  vec4 area;  // of its image, at depth z: x + z (y + z z)
-};
-layout(std430, binding = 0) readonly buffer Triangles { Triangle triangles[]; };
 uniform vec3 absorption;
 uniform float least_area;
 #ifdef SHADED
 layout(binding = 1) uniform sampler2D open_water;  // of draw_water_shade
 #endif
 
-float area_at(Triangle triangle, float depth) {
-  return abs(triangle.area.x + depth * (triangle.area.y + depth * triangle.area.z));
-}
-
 // a: 1 where the area was raised to the least. `spot`: where the light came through the water's level.
-vec4 flux_of(Triangle triangle, float area, float way, vec2 spot) {
-  vec4 flux = vec4(triangle.flux.rgb * exp(-absorption * way) / max(area, least_area), area < least_area ? 1.0 : 0.0);
+vec4 flux_of(vec3 flux, float area, float way, vec2 spot) {
+  vec4 landed = vec4(flux * exp(-absorption * way) / max(area, least_area), area < least_area ? 1.0 : 0.0);
 #ifdef SHADED
-  flux.rgb *= textureLod(open_water, spot, 0.0).r;
+  landed.rgb *= textureLod(open_water, spot, 0.0).r;
 #endif
-  return flux;
+  return landed;
 }

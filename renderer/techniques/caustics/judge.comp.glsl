@@ -2,9 +2,10 @@
 #include "shaders/compute.glsl"
 #include "techniques/caustics/lights.glsl"
 #include "techniques/caustics/march.glsl"
+#ifdef SPLITS
 #include "techniques/caustics/reach.glsl"
+#endif
 
-layout(std430, binding = 0) readonly buffer Rays { vec4 rays[]; };
 layout(std430, binding = 1) readonly buffer Hits { vec4 hits[]; };
 layout(std430, binding = 2) readonly buffer Corners { uint corners[]; };
 layout(std430, binding = 3) writeonly buffer Lights { vec2 lights[]; };
@@ -21,6 +22,9 @@ bool lands(vec4 p, vec4 q, vec4 r) {
          lies_on_receiver((p.xyz + q.xyz + r.xyz) / 3.0);
 }
 
+#ifdef SPLITS
+layout(std430, binding = 0) readonly buffer Rays { vec4 rays[]; };
+
 // The depths between which the volume may meet the receiver, in steps of a few planes.
 vec2 met_by(vec4 a, vec4 b, vec4 c) {
   const int kSteps = 25;
@@ -35,10 +39,16 @@ vec2 met_by(vec4 a, vec4 b, vec4 c) {
   }
   return first < 0 ? kMisses : vec2(float(first) - 0.5, float(last) + 0.5) / float(slices);
 }
+#endif
 
 void main() {
   int number = int(gl_GlobalInvocationID.x);
   if (number >= triangle_count) return;
   uint a = corners[3 * number], b = corners[3 * number + 1], c = corners[3 * number + 2];
-  lights[number] = lands(hits[a], hits[b], hits[c]) ? kLands : met_by(rays[a], rays[b], rays[c]);
+  vec2 light = kMisses;
+  if (lands(hits[a], hits[b], hits[c])) light = kLands;
+#ifdef SPLITS
+  else light = met_by(rays[a], rays[b], rays[c]);
+#endif
+  lights[number] = light;
 }

@@ -5,11 +5,10 @@ layout(binding = 0) uniform sampler2D places;
 
 layout(location = 0) in float way;
 layout(location = 1) in float depth;
-layout(location = 2) flat in int triangle_number;
-layout(location = 3) in vec2 spot;
-layout(location = 4) flat in vec2 edges[2];
+layout(location = 2) in vec2 spot;
+layout(location = 3) flat in vec3 flux;
+layout(location = 4) flat in float area;
 
-uniform float map_area;
 uniform float tolerance;
 
 layout(location = 0) out vec4 caustics;
@@ -17,6 +16,5 @@ layout(location = 0) out vec4 caustics;
 void main() {
   vec2 place = texelFetch(places, ivec2(gl_FragCoord.xy), 0).xy;
   if (place.y != 1.0 || abs(place.x - depth) > tolerance) discard;
-  float area = 0.5 * map_area * abs(edges[0].x * edges[1].y - edges[0].y * edges[1].x);
-  caustics = flux_of(triangles[triangle_number], area, way, spot);
+  caustics = flux_of(flux, area, way, spot);
 }

@@ -1,13 +1,14 @@
 // The flux of a volume on each texel that lies in it, at the texel's own depth.
 #include "techniques/caustics/flux.glsl"
+#include "techniques/caustics/triangles.glsl"
 
-layout(location = 0) flat in int triangle_number;
+layout(location = 0) flat in uvec3 corner;
+layout(location = 1) flat in vec3 flux;
+layout(location = 2) flat in vec3 area;
+layout(location = 3) flat in vec4 corner_ray[3];
+layout(location = 6) flat in vec4 corner_way_spot[3];
 
 layout(binding = 0) uniform sampler2D places;
-layout(std430, binding = 1) readonly buffer Rays { vec4 rays[]; };
-layout(std430, binding = 2) readonly buffer Corners { uint corners[]; };
-layout(std430, binding = 4) readonly buffer Ways { vec2 ways[]; };
-layout(std430, binding = 5) readonly buffer Spots { vec2 spots[]; };
 
 layout(location = 0) out vec4 caustics;
 
@@ -28,8 +29,7 @@ void main() {
   vec2 shown = texelFetch(places, ivec2(gl_FragCoord.xy), 0).xy;
   if (shown.y != 1.0) discard;
   float depth = shown.x;
-  uvec3 corner = uvec3(corners[3 * triangle_number], corners[3 * triangle_number + 1], corners[3 * triangle_number + 2]);
-  vec4 ray_a = rays[corner.x], ray_b = rays[corner.y], ray_c = rays[corner.z];
+  vec4 ray_a = corner_ray[0], ray_b = corner_ray[1], ray_c = corner_ray[2];
   precise vec2 a = ray_a.xy + depth * ray_a.zw, b = ray_b.xy + depth * ray_b.zw, c = ray_c.xy + depth * ray_c.zw;
   vec2 point = gl_FragCoord.xy / vec2(textureSize(places, 0));
   vec3 part = vec3(to_the_left(point, corner.y, b, corner.z, c), to_the_left(point, corner.z, c, corner.x, a),
@@ -37,10 +37,8 @@ void main() {
   bvec3 left = greaterThan(part, vec3(0.0));
   if (left.x != left.y || left.y != left.z) discard;
   part /= part.x + part.y + part.z;
-  vec2 way_line = part.x * ways[corner.x] + part.y * ways[corner.y] + part.z * ways[corner.z];
-  vec2 spot = part.x * spots[corner.x] + part.y * spots[corner.y] + part.z * spots[corner.z];
-  float way = way_line.x + depth * way_line.y;
+  vec4 way_spot = part.x * corner_way_spot[0] + part.y * corner_way_spot[1] + part.z * corner_way_spot[2];
+  float way = way_spot.x + depth * way_spot.y;
   if (way <= 0.0) discard;  // above the water
-  Triangle triangle = triangles[triangle_number];
-  caustics = flux_of(triangle, area_at(triangle, depth), way, spot);
+  caustics = flux_of(flux, area_at(area, depth), way, way_spot.zw);
 }

@@ -1,22 +1,37 @@
 // Where the volumes of triangles that straddle surfaces may light the map: a rectangle for each.
 #include "techniques/caustics/lights.glsl"
+#include "techniques/caustics/triangles.glsl"
 
 layout(binding = 0) uniform sampler2D places;
 layout(std430, binding = 1) readonly buffer Rays { vec4 rays[]; };
 layout(std430, binding = 2) readonly buffer Corners { uint corners[]; };
 layout(std430, binding = 3) readonly buffer Lights { vec2 lights[]; };
+layout(std430, binding = 4) readonly buffer Ways { vec2 ways[]; };
+layout(std430, binding = 5) readonly buffer Spots { vec2 spots[]; };
 
-layout(location = 0) flat out int triangle_number;
+// Of the triangle and its corners: the fragments' own reads of buffers would take most of the time.
+layout(location = 0) flat out uvec3 corner;
+layout(location = 1) flat out vec3 flux;
+layout(location = 2) flat out vec3 area;
+layout(location = 3) flat out vec4 corner_ray[3];
+layout(location = 6) flat out vec4 corner_way_spot[3];
 
 void main() {
-  triangle_number = gl_VertexID / 6;
+  int triangle_number = gl_VertexID / 6;
+  corner = uvec3(0u);
+  flux = area = vec3(0.0);
+  for (int i = 0; i < 3; ++i) corner_ray[i] = corner_way_spot[i] = vec4(0.0);
   gl_Position = vec4(2.0, 2.0, 0.0, 1.0);  // nowhere
   vec2 depths = lights[triangle_number];
   if (depths == kLands || depths == kMisses) return;
+  corner = uvec3(corners[3 * triangle_number], corners[3 * triangle_number + 1], corners[3 * triangle_number + 2]);
+  flux = triangles[triangle_number].flux.rgb;
+  area = triangles[triangle_number].area.xyz;
   vec2 low = vec2(1e30);
   vec2 high = vec2(-1e30);
-  for (int corner = 0; corner < 3; ++corner) {
-    vec4 ray = rays[corners[3 * triangle_number + corner]];
+  for (int i = 0; i < 3; ++i) {
+    vec4 ray = corner_ray[i] = rays[corner[i]];
+    corner_way_spot[i] = vec4(ways[corner[i]], spots[corner[i]]);
     vec2 near = ray.xy + depths.x * ray.zw;
     vec2 far = ray.xy + depths.y * ray.zw;
     low = min(low, min(near, far));

@@ -1,5 +1,6 @@
 // The flux that lands in the plane.
 #include "techniques/caustics/flux.glsl"
+#include "techniques/caustics/triangles.glsl"
 #ifdef PLANE_DISCARD
 #include "techniques/caustics/planes.glsl"
 layout(binding = 0) uniform sampler2D places;
@@ -31,5 +32,5 @@ void main() {
 #else
   Triangle triangle = triangles[gl_PrimitiveID];
 #endif
-  caustics = flux_of(triangle, area_at(triangle, depth), way, spot);
+  caustics = flux_of(triangle.flux.rgb, area_at(triangle.area.xyz, depth), way, spot);
 }
