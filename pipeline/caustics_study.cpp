@@ -31,51 +31,48 @@ double whole_flux(const FluxField& field, const ReceiverBox& box) {
   return sum * box.size.x * box.size.z / double(field.values.size());
 }
 
-/// The scene seen from a camera with parallel rays, by POV-Ray.
-Image parallel_picture(const Scene& scene, const Camera& camera, double height, int pixels) {
+/// What a camera with parallel rays sees of `extent`, across and up, by POV-Ray.
+Image parallel_picture(const Scene& scene, const Camera& camera, const glm::dvec2& extent, int pixels,
+                       double photon_spacing) {
   const PovAssets assets = pov_assets(scene);
   const TemporaryFolder folder;
   for (const auto& [name, text] : assets.includes) write_file_atomic(folder.path() / name, text);
   for (const auto& [name, image] : assets.images) write_png(folder.path() / name, image);
   PovOptions options;
   options.radiosity = false;
-  options.parallel_height = height;
+  options.photon_spacing = photon_spacing;
+  options.parallel_height = extent.y;
   PovrayRun run;
   run.program = find_povray();
   run.library = folder.path();
   run.scene_file = folder.path() / "view.pov";
   run.width = run.height = pixels;
-  write_file_atomic(run.scene_file, pov_view(scene, assets, camera, 1, options));
+  write_file_atomic(run.scene_file, pov_view(scene, assets, camera, extent.x / extent.y, options));
   return run_povray(run).image;
 }
 
 /// Photons that POV-Ray lands on a receiver, for each unit of the map's area: its picture along the axis,
-/// from below the water, over the colour and the cosine of what is there.
+/// from below the water, a pixel for each texel, over the colour and the cosine of what is there.
 FluxField povray_flux(const Scene& scene, const ReceiverBox& box, const std::vector<ReceiverTexel>& texels,
-                      int size) {
-  const double extent = std::max(box.size.x, box.size.z);
+                      int size, double photon_spacing) {
   Camera camera;
-  camera.position = glm::vec3(box.center + (0.5 * box.size.y + 1e-3 * extent) * box.v);
+  camera.position =
+      glm::vec3(box.center + (0.5 * box.size.y + 1e-3 * std::max(box.size.x, box.size.z)) * box.v);
   camera.look_at = glm::vec3(box.center);
   camera.up = glm::vec3(box.w);
-  constexpr int kMostPixels = 2048;
-  const int pixels = std::min(kMostPixels, int(std::ceil(size * extent / std::min(box.size.x, box.size.z))));
-  const Image picture = parallel_picture(scene, camera, extent, pixels);
+  const Image picture = parallel_picture(scene, camera, {box.size.x, box.size.z}, size, photon_spacing);
   FluxField field{size, {}, {}};
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
       const ReceiverTexel& texel = texels[std::size_t(y) * std::size_t(size) + std::size_t(x)];
-      // The camera looks down on the map: w goes up, and u to the left.
-      const double across = ((x + 0.5) / size - 0.5) * box.size.x / extent,
-                   up = ((y + 0.5) / size - 0.5) * box.size.z / extent;
-      const int column = std::clamp(int((0.5 - across) * pixels), 0, pixels - 1),
-                row = std::clamp(int((0.5 - up) * pixels), 0, pixels - 1);
       const double cosine = glm::dot(glm::dvec3(texel.face), box.v), albedo = double(texel.albedo.r);
       // Where light grazes, photons are few and what they are divided by is small.
       constexpr double kLeastCosine = 0.1;
       const bool counts = texel.own && cosine > kLeastCosine && albedo > 0;
       field.counts.push_back(counts);
-      field.values.push_back(counts ? double(picture.pixel(column, row)[0]) / (cosine * albedo) : 0);
+      // The camera looks down on the map: w goes up, and u to the left.
+      const double shown = double(picture.pixel(size - 1 - x, size - 1 - y)[0]);
+      field.values.push_back(counts ? shown / (cosine * albedo) : 0);
     }
   return field;
 }
@@ -162,7 +159,7 @@ class Study {
       alone.lights = {light};
       alone.water->ambient = glm::vec3(0);
       for (Mesh& mesh : alone.meshes) mesh = faceted(mesh);
-      const FluxField photons = povray_flux(alone, map.box, texels, map.size);
+      const FluxField photons = povray_flux(alone, map.box, texels, map.size, options_.photon_spacing);
       figures.methods.push_back({"POV-Ray's photons", compare_flux(photons, truth, most), 0, 0, 0});
     }
     return figures;

@@ -18,6 +18,9 @@ struct CausticsStudyOptions {
   int slices = 100;
   double most = 8;      ///< flat water's light: both sides are clipped at so much
   bool povray = false;  ///< POV-Ray's photons, too
+  /// Between photons at the water's level, as a share of the water's longer side. POV-Ray gathers 20 to 100
+  /// around each point, over whatever bends there, so that they must lie within few texels.
+  double photon_spacing = 2e-4;
   int threads = 1;
   GlBackend backend = GlBackend::osmesa;
 };

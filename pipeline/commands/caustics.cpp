@@ -66,7 +66,13 @@ void add_caustics_command(CLI::App& app, Action& action) {
                    "Waves that are so many times as high as in the scenes")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  command->add_flag("--povray", options.povray, "POV-Ray's photons, too: some tens of seconds a receiver");
+  command->add_flag("--povray", options.povray, "POV-Ray's photons, too: about a minute a receiver");
+  command
+      ->add_option("--photon-spacing", options.photon_spacing,
+                   "Between POV-Ray's photons, as a share of the water's longer side; half of it takes four "
+                   "times the time and memory (0.5 GB by default)")
+      ->check(CLI::Range(1e-5, 0.1))
+      ->capture_default_str();
   command->add_option("-o,--output", params->output, "Markdown file to write; default: print it");
   command->footer(
       R"(Two Markdown tables. Of each receiver: the map's texels that show it, the water's triangles that
