@@ -34,8 +34,8 @@ class GpuScene {
   explicit GpuScene(const Scene& scene);
 
   /// Draws all surfaces: `cutout` the parts with a cut-out texture, `solid` the rest, so that hidden pixels
-  /// of those need no shading. The programs are of shaders/surface.vert.glsl; positions are given to them
-  /// relative to `eye`, and the entity's number.
+  /// of those need no shading. The programs take what shaders/surface.vert.glsl takes; positions are given to
+  /// them relative to `eye`, and the entity's number.
   void draw_surfaces(const Program& solid, const Program& cutout, const glm::dmat4& clip_from_world,
                      const glm::dvec3& eye, FrustumCulling culling) const;
   /// Draws what casts shadows, without colour: `cutout` draws the parts with a cut-out texture, `solid` the

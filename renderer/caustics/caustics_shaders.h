@@ -6,6 +6,7 @@
 namespace lightbench {
 
 inline constexpr const char* kSurfaceVertex = "shaders/surface.vert.glsl";
+inline constexpr const char* kReceiverVertex = "techniques/caustics/receiver.vert.glsl";
 inline constexpr const char* kReceiverFragment = "techniques/caustics/receiver.frag.glsl";
 inline constexpr const char* kPlaneDepth = "techniques/caustics/plane_depth.frag.glsl";
 inline constexpr const char* kVolumeVertex = "techniques/caustics/volume.vert.glsl";
@@ -30,10 +31,10 @@ inline constexpr const char* kUnlit = "techniques/caustics/unlit.frag.glsl";
 inline constexpr const char* kCast = "techniques/caustics/cast.frag.glsl";
 
 inline constexpr std::array kCausticsShaders{
-    kSurfaceVertex, kReceiverFragment, kPlaneDepth,   kVolumeVertex,  kVolumeFragment,
-    kUsedPlanes,    kListPlanes,       kHits,         kBlocks,        kJudge,
-    kMarkCuts,      kPlaceCuts,        kListCuts,     kLandingVertex, kLandingFragment,
-    kSweepVertex,   kSweepFragment,    kCombine,      kShadeFragment, kUnlit,
-    kCast,          kWaterVertex,      kWaterFragment};
+    kSurfaceVertex,   kReceiverVertex, kReceiverFragment, kPlaneDepth,   kVolumeVertex,
+    kVolumeFragment,  kUsedPlanes,     kListPlanes,       kHits,         kBlocks,
+    kJudge,           kMarkCuts,       kPlaceCuts,        kListCuts,     kLandingVertex,
+    kLandingFragment, kSweepVertex,    kSweepFragment,    kCombine,      kShadeFragment,
+    kUnlit,           kCast,           kWaterVertex,      kWaterFragment};
 
 }  // namespace lightbench

@@ -43,9 +43,9 @@ struct ReceiverPrograms {
 };
 
 ReceiverPrograms receiver_programs(FrameContext& frame, const ReceiverMap& map, ShaderDefines defines) {
-  const Program& solid = frame.program(kSurfaceVertex, kReceiverFragment, defines);
+  const Program& solid = frame.program(kReceiverVertex, kReceiverFragment, defines);
   defines.emplace_back("CUTOUT");
-  const Program& cutout = frame.program(kSurfaceVertex, kReceiverFragment, defines);
+  const Program& cutout = frame.program(kReceiverVertex, kReceiverFragment, defines);
   // Positions come relative to the middle of the box, where its depth is a half.
   const glm::vec4 depth_row(-map.box.v / map.box.size.y, 0.5);
   const auto water_top = float(highest_crest(*frame.scene().water) - map.box.center.y);

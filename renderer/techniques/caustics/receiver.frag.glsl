@@ -4,10 +4,9 @@
 #include "shaders/cutout.glsl"
 #endif
 
-layout(location = 0) in vec3 relative_position;
-layout(location = 1) in vec3 world_normal;
-layout(location = 2) in vec2 surface_uv;
-layout(location = 3) in vec3 surface_color;
+layout(location = 0) noperspective in vec2 depth_height;
+layout(location = 1) noperspective in vec2 surface_uv;
+layout(location = 2) noperspective in vec3 surface_color;
 
 #ifdef SLICE
 #include "techniques/caustics/planes.glsl"
@@ -23,7 +22,6 @@ layout(location = 0) out vec2 place;
 layout(location = 1) out vec4 diffuse;
 #endif
 
-uniform vec4 depth_in_box;
 uniform float water_top;
 uniform int entity;
 uniform int receiver;
@@ -35,9 +33,8 @@ void main() {
 #ifdef CUTOUT
   if (is_cut_out(surface_uv)) discard;
 #endif
-  if (relative_position.y > water_top) discard;
-  precise float depth = dot(depth_in_box, vec4(relative_position, 1.0));
-  place = vec2(depth, entity == receiver ? 1.0 : 0.0);
+  if (depth_height.y > water_top) discard;
+  place = vec2(depth_height.x, entity == receiver ? 1.0 : 0.0);
   // Exactly what is kept, so that slices of the box agree with the whole of it on what is nearest.
   gl_FragDepth = clamp(place.x, 0.0, 1.0);
 #ifdef SLICE
