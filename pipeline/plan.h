@@ -74,7 +74,7 @@ struct SceneFacts {
   KeyParts files;                                     ///< name and hash of everything that was read
   std::vector<std::vector<std::string>> unsupported;  ///< [variant]: why its technique cannot show it
   std::vector<ObjectFacts> objects;                   ///< where a variant needs a bake
-  std::vector<std::vector<ObjectSize>> sizes;  ///< [variant][object]: what is baked, about; or empty
+  std::vector<std::vector<ObjectSize>> sizes;         ///< [variant][object]: what is baked, about; or empty
   std::vector<std::vector<KeyParts>> exports;  ///< [reference][view]; no views where nothing is exported
   std::map<std::string, std::vector<std::string>> kind_warnings;  ///< by reference kind
 };
