@@ -70,7 +70,7 @@ void add_caustics_command(CLI::App& app, Action& action) {
   command
       ->add_option("--photon-spacing", options.photon_spacing,
                    "Between POV-Ray's photons, as a share of the water's longer side; half of it takes four "
-                   "times the time and memory (0.5 GB by default)")
+                   "times the time and memory (0.2 GB by default)")
       ->check(CLI::Range(1e-5, 0.1))
       ->capture_default_str();
   command->add_option("-o,--output", params->output, "Markdown file to write; default: print it");

@@ -44,12 +44,12 @@ Buffer judge(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes
   const Program& program =
       marching(frame, kJudge, options, splits ? ShaderDefines{"SPLITS"} : ShaderDefines{});
   program.set("triangle_count", volumes.triangle_count);
-  volumes.places.bind_storage(0);
   hits.bind_storage(1);
   volumes.corners.bind_storage(2);
   lights.bind_storage(3);
   if (splits) {
     program.set("slices", options.slices);
+    volumes.places.bind_storage(0);
     blocks.bind_storage(kMapBlocksBlock);
   }
   frame.compute(program, volumes.triangle_count);

@@ -45,10 +45,9 @@ void main() {
   int number = int(gl_GlobalInvocationID.x);
   if (number >= triangle_count) return;
   uint a = corners[3 * number], b = corners[3 * number + 1], c = corners[3 * number + 2];
-  vec2 light = kMisses;
-  if (lands(hits[a], hits[b], hits[c])) light = kLands;
+  vec2 light = lands(hits[a], hits[b], hits[c]) ? kLands : kMisses;
 #ifdef SPLITS
-  else light = met_by(rays[a], rays[b], rays[c]);
+  if (light == kMisses) light = met_by(rays[a], rays[b], rays[c]);
 #endif
   lights[number] = light;
 }

@@ -14,7 +14,8 @@ layout(location = 2) noperspective out vec3 surface_color;
 
 void main() {
   vec4 relative = relative_from_object * vec4(position, 1.0);
-  depth_height = vec2(dot(depth_in_box, relative), relative.y);
+  precise float depth = dot(depth_in_box, relative);  // alike for the whole box and for its slices
+  depth_height = vec2(depth, relative.y);
   surface_uv = texture_uv;
   surface_color = color;
   gl_Position = clip_from_object * vec4(position, 1.0);
