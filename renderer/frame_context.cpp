@@ -44,6 +44,7 @@ FrameContext::FrameContext(const FrameRequest& request, GpuState* gpu, const Gpu
 const Program& FrameContext::program(const std::string& vertex, const std::string& fragment,
                                      const ShaderDefines& defines) {
   assert(gpu_);
+  used_shaders_.insert({vertex, fragment});
   return gpu_->programs.get(vertex, fragment, defines);
 }
 
@@ -53,6 +54,7 @@ const Program& FrameContext::fullscreen_program(const std::string& fragment, con
 
 const Program& FrameContext::compute_program(const std::string& shader, const ShaderDefines& defines) {
   assert(gpu_);
+  used_shaders_.insert(shader);
   return gpu_->programs.get_compute(shader, defines);
 }
 

@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -97,6 +98,8 @@ class FrameContext {
   void add_pass_time(const std::string& name, double seconds);
 
   FrameResult& result() { return result_; }
+  /// The shader files that programs of this frame start from.
+  const std::set<std::string>& used_shaders() const { return used_shaders_; }
 
  private:
   const FrameRequest& request_;
@@ -104,6 +107,7 @@ class FrameContext {
   const GpuScene* gpu_scene_;
   FrameCamera camera_;
   FrameResult result_;
+  std::set<std::string> used_shaders_;
 };
 
 /// Names and meanings of the buffers that every directly lit technique gives: albedo, normal, depth, shadow,

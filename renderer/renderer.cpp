@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <memory>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -39,6 +40,15 @@ void require_possible_size(const FrameRequest& request) {
   if (request.samples < 1) throw Error(fmt::format("{} samples", request.samples), request.view.name);
   const long long factor = request.samples;
   check_image_size(factor * request.width, factor * request.height, request.view.name);
+}
+
+// A shader that the technique's row does not list would be missing in the keys of its pictures, and an edit
+// of it would leave old ones in place.
+void require_listed_shaders(const Technique& technique, const std::set<std::string>& used) {
+  for (const std::string& shader : used)
+    if (std::find(technique.shaders.begin(), technique.shaders.end(), shader) == technique.shaders.end())
+      throw std::logic_error(
+          fmt::format("technique '{}' draws with {}, which its row does not list", technique.name, shader));
 }
 
 // The mean of the samples of each pixel, where the image was drawn larger than the frame.
@@ -105,6 +115,7 @@ FrameResult Renderer::render(const Technique& technique, const ParamValues& para
   FrameContext frame(request, impl_->gpu.get(), impl_->scene.get());
   technique.render(frame, params);
   if (technique.needs_gl) impl_->context->check(technique.name);
+  require_listed_shaders(technique, frame.used_shaders());
   FrameResult result = std::move(frame.result());
   average_samples(result.image, request);
   for (auto& [name, image] : result.buffers) average_samples(image, request);

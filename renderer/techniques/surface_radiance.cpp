@@ -15,6 +15,7 @@
 namespace lightbench {
 namespace {
 
+constexpr const char* kFullscreen = "shaders/fullscreen.vert.glsl";
 constexpr const char* kObjectVertex = "techniques/surface_radiance/object.vert.glsl";
 constexpr const char* kObjectFragment = "techniques/surface_radiance/object.frag.glsl";
 constexpr const char* kSeen = "techniques/surface_radiance/seen.frag.glsl";
@@ -150,7 +151,7 @@ Technique surface_radiance_technique() {
   technique.buffers = {{"place",
                         "column and row in the object's texture, the object's number from 1 on, and 1 "
                         "where its back is seen"}};
-  technique.shaders = {kObjectVertex, kObjectFragment, kSeen, kShade};
+  technique.shaders = {kFullscreen, kObjectVertex, kObjectFragment, kSeen, kShade};
   technique.bounces = [](const ParamValues& params) { return params.integer("bounces"); };
   technique.needs_bake = true;
   technique.unsupported = unsupported;
