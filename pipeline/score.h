@@ -29,6 +29,7 @@ struct Score {
   Image8 reference = {};
   Image8 baseline = {};           ///< empty without one
   std::size_t masked_pixels = 0;  ///< that masked metrics look at
+  bool identical = false;         ///< whether image and reference agree in every pixel
   std::map<std::string, MetricValue> metrics = {};
 };
 

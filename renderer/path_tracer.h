@@ -64,8 +64,13 @@ struct PathTracedImage {
 PathTracedImage trace_paths(const Scene& scene, const View& view, int width, int height, int supersampling,
                             const PathTracerOptions& options);
 
+/// What the picture is for. Each use has a default seed of its own, since two pictures of one seed agree in
+/// their noise: the variant would look as if it were exact.
+enum class PathTracedUse { reference, variant };
+std::uint64_t default_seed(PathTracedUse use);
+
 /// The options as rows, named sets of them, and what is made of values.
-std::vector<ParamSpec> path_tracer_params();
+std::vector<ParamSpec> path_tracer_params(PathTracedUse use);
 std::vector<ParamPreset> path_tracer_presets();
 PathTracerOptions path_tracer_options(const ParamValues& params);
 

@@ -9,7 +9,11 @@ std::string path_tracer_version() {
   return fmt::format("path tracer {}, Embree {}", kPathTracerVersion, RTC_VERSION_STRING);
 }
 
-std::vector<ParamSpec> path_tracer_params() {
+std::uint64_t default_seed(PathTracedUse use) {
+  return PathTracerOptions().seed + (use == PathTracedUse::variant ? 1 : 0);
+}
+
+std::vector<ParamSpec> path_tracer_params(PathTracedUse use) {
   const PathTracerOptions defaults;
   return {
       integer_param("bounces", defaults.bounces, 0, 16, "bounces of indirect light"),
@@ -18,7 +22,8 @@ std::vector<ParamSpec> path_tracer_params() {
       number_param("noise", defaults.noise, 0, 255,
                    "estimated mean error, of 255, at which a tile of the picture is done before it has all "
                    "samples; 0: never"),
-      integer_param("seed", int(defaults.seed), 0, 2147483647, "of the random choices"),
+      integer_param("seed", int(default_seed(use)), 0, 2147483647,
+                    "seed of the random choices; a variant and a reference of one seed share their noise"),
   };
 }
 

@@ -9,8 +9,8 @@
 /// both.
 namespace lightbench {
 
-/// The variant that gives the ceiling against a reference: the first offline one without limits
-/// with as many bounces; null if the run has none.
+/// Returns the variant that gives the ceiling against a reference: the first offline one without limits that
+/// has as many bounces and, if the reference is path-traced too, another seed; null if the run has none.
 const ReportImageSource* ceiling_variant(const RunReport& report, const std::string& reference);
 
 /// The ceiling on the view of a score, against its reference.

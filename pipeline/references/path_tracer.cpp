@@ -35,7 +35,7 @@ int path_tracer_bounces(const ParamValues& params) {
 }  // namespace
 
 ReferenceKind path_tracer_reference() {
-  static const std::vector<ParamSpec> params = path_tracer_params();
+  static const std::vector<ParamSpec> params = path_tracer_params(PathTracedUse::reference);
   static const std::vector<ParamPreset> presets = path_tracer_presets();
   return {.name = "path_tracer",
           .doc = "lightbench's own path tracer: a second truth, independent of POV-Ray",

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* kLimits[] = {"guard",   "layers",  "layer_faces", "cameras",
                                    "bounces", "unknown", "background"};
-constexpr int kOracleVersion = 1;  // raised when equal limits hold other surfaces
+constexpr int kOracleVersion = 2;  // raised when equal limits give another picture
 
 std::vector<ParamSpec> oracle_params() {
   const std::vector<ParamSpec> isr = isr_params();
@@ -45,6 +45,7 @@ PathTracerOptions options_of(const ParamValues& params) {
   PathTracerOptions options;
   options.bounces = params.integer("bounces");
   options.samples = params.integer("samples");
+  options.seed = default_seed(PathTracedUse::variant);
   options.background = params.boolean("background");
   options.limits = limits;
   return options;

@@ -31,7 +31,7 @@ Technique path_tracer_technique() {
   Technique technique;
   technique.name = "path_tracer";
   technique.doc = "the built-in path tracer: direct light and diffuse bounces, without OpenGL";
-  technique.params = path_tracer_params();
+  technique.params = path_tracer_params(PathTracedUse::variant);
   technique.presets = path_tracer_presets();
   technique.bounces = bounces;
   technique.version = kPathTracerVersion;

@@ -37,6 +37,11 @@ TEST_F(ScoreOfFiles, MetricsAreThoseAskedFor) {
   EXPECT_DOUBLE_EQ(*score.metrics.at("mean_error").value, 15);  // 30 in one of two pixels
 }
 
+TEST_F(ScoreOfFiles, IdenticalPicturesAreKnownAsSuch) {
+  EXPECT_TRUE(compute_score({.image = png("a.png", 40), .reference = png("b.png", 40)}).identical);
+  EXPECT_FALSE(compute_score({.image = png("a.png", 41), .reference = png("b.png", 40)}).identical);
+}
+
 TEST_F(ScoreOfFiles, GainWithoutABaselineIsUndefined) {
   const Score score =
       compute_score({.image = png("a.png", 10), .reference = png("b.png", 40), .metrics = {"gain"}});

@@ -175,8 +175,8 @@ TEST(PathTracer, WhatIsNotPossibleIsAnError) {
 
 TEST(PathTracer, ParametersGiveTheOptions) {
   const auto resolved = [](const std::string& preset) {
-    return path_tracer_options(
-        resolve_params(path_tracer_params(), path_tracer_presets(), preset, {{"seed", 7LL}}, "test"));
+    return path_tracer_options(resolve_params(path_tracer_params(PathTracedUse::reference),
+                                              path_tracer_presets(), preset, {{"seed", 7LL}}, "test"));
   };
   EXPECT_EQ(resolved("two_bounces").bounces, 2);
   EXPECT_EQ(resolved("converged").bounces, 16);

@@ -44,6 +44,17 @@ TEST(Ceiling, IsNotThatOfAVariantWithLimits) {
   EXPECT_EQ(ceiling_variant(run, "povray"), nullptr);
 }
 
+TEST(Ceiling, IsNotThatOfTheReferenceMadeTwice) {
+  RunReport run = run_with_path(2);
+  run.references[0].kind = "path_tracer";
+  run.references[0].params = {{"samples", "64"}, {"seed", "1"}};
+  run.variants[1].params = {{"samples", "16"}, {"seed", "1"}};
+  EXPECT_EQ(ceiling_variant(run, "povray"), nullptr);
+  EXPECT_FALSE(mean_ceiling(run, "povray").value);
+  run.variants[1].params["seed"] = "2";
+  EXPECT_NE(ceiling_variant(run, "povray"), nullptr);
+}
+
 TEST(Ceiling, StandsBesideAGainButNotBesideItself) {
   EXPECT_EQ(gain_text(MetricValue::of(40), MetricValue::of(90)), "40.00 / 90.00");
   EXPECT_EQ(gain_text(MetricValue::of(90), MetricValue::of(90)), "90.00");
