@@ -41,6 +41,7 @@ void add_cameras_command(CLI::App& app, Action& action);
 void add_scene_command(CLI::App& app, Action& action);
 void add_list_command(CLI::App& app, Action& action);
 void add_schema_command(CLI::App& app, Action& action);
+void add_inspect_command(CLI::App& app, Action& action);
 void add_work_command(CLI::App& app, Action& action);
 
 }  // namespace lightbench
