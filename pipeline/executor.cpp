@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/json_bytes.h"
 #include "base/text.h"
 
 namespace lightbench {
@@ -119,7 +120,9 @@ class Execution {
     fill();
   }
 
+  /// A task that was ended cannot begin once more.
   void begin(Worker& worker, std::size_t task) {
+    if (schedule_.state(task) != TaskState::running) return;
     worker.current = task;
     worker.began = true;
     contended_[task] = workers_.size() > 1;
@@ -127,13 +130,44 @@ class Execution {
   }
 
   void end_task(bool ok, std::size_t task, std::string_view payload) {
+    std::string error;
+    if (auto result = read_answer(ok, task, payload, error))
+      succeed(task, std::move(*result));
+    else
+      fail(task, error);
+  }
+
+  /// A worker may say anything; what is not the result of its task is the error of that task alone.
+  std::optional<TaskResult> read_answer(bool ok, std::size_t task, std::string_view payload,
+                                        std::string& error) const {
     try {
-      const auto json = nlohmann::ordered_json::parse(payload);
-      if (!ok) return fail(task, json.get<std::string>());
-      succeed(task, task_result_from_json(json, plan_.tasks[task].id));
+      const auto json = parse_json_text(payload);
+      if (!ok) {
+        error = json.get<std::string>();
+        return std::nullopt;
+      }
+      TaskResult result = task_result_from_json(json, plan_.tasks[task].id);
+      error = changed_input(task, result);
+      if (error.empty()) return result;
     } catch (const nlohmann::json::exception&) {
-      fail(task, "the worker's answer cannot be read");
+      error = "the worker's answer cannot be read";
+    } catch (const Error& unreadable) {
+      error = "the worker's answer cannot be read: " + unreadable.message();
     }
+    return std::nullopt;
+  }
+
+  /// What the task read must be what the tasks before it wrote; else its result does not belong to its key.
+  std::string changed_input(std::size_t task, const TaskResult& result) const {
+    for (const std::size_t dep : plan_.tasks[task].deps) {
+      if (!entries_[dep]) continue;
+      for (const auto& [file, hash] : entries_[dep]->result.outputs) {
+        const auto read = result.inputs.find(file);
+        if (read != result.inputs.end() && read->second != hash)
+          return file + " was changed while the run went on; the next run makes it again";
+      }
+    }
+    return "";
   }
 
   LedgerEntry entry_for(std::size_t i) const {

@@ -11,6 +11,7 @@ nlohmann::ordered_json to_json(const TaskResult& result) {
   json["seconds"] = result.seconds;
   json["outputs"] = nlohmann::ordered_json::object();
   for (const auto& [file, hash] : result.outputs) json["outputs"][file] = hash;
+  for (const auto& [file, hash] : result.inputs) json["inputs"][file] = hash;
   if (!result.passes.empty()) json["passes"] = nlohmann::ordered_json::array();
   for (const auto& pass : result.passes)
     json["passes"].push_back({{"name", pass.name}, {"seconds", pass.seconds}});
@@ -30,7 +31,8 @@ nlohmann::ordered_json to_json(const TaskResult& result) {
 TaskResult task_result_from_json(const nlohmann::ordered_json& json, const std::string& where) try {
   TaskResult result;
   result.seconds = json.at("seconds").get<double>();
-  for (const auto& [file, hash] : json.at("outputs").items()) result.outputs[file] = hash.get<std::string>();
+  result.outputs = json.at("outputs").get<std::map<std::string, std::string>>();
+  if (json.contains("inputs")) result.inputs = json.at("inputs").get<std::map<std::string, std::string>>();
   if (json.contains("passes"))
     for (const auto& pass : json.at("passes"))
       result.passes.push_back({pass.at("name").get<std::string>(), pass.at("seconds").get<double>()});

@@ -16,6 +16,7 @@ struct TaskResult {
   double seconds = 0;                          ///< wall clock
   double cpu_seconds = 0;                      ///< of an image or object: of all that made it
   std::map<std::string, std::string> outputs;  ///< file relative to the run's folder -> hash of its bytes
+  std::map<std::string, std::string> inputs;   ///< likewise: what it read of other tasks' outputs
   std::vector<PassSeconds> passes;             ///< of a snapshot
   std::vector<std::string> warnings;
   std::map<std::string, MetricValue> metrics;  ///< of a score; of an object: ReportObject::numbers

@@ -56,9 +56,11 @@ class FakeRunner : public Runner {
     }
   }
 
-  std::set<std::string> failing;   ///< these say why they fail
-  std::set<std::string> crashing;  ///< in these the worker dies
-  std::set<std::string> babbling;  ///< these answer nonsense
+  std::set<std::string> failing;  ///< these say why they fail
+  std::string failing_words = "\"no light\"";
+  std::set<std::string> crashing;                              ///< in these the worker dies
+  std::map<std::string, std::vector<std::string>> more_lines;  ///< what these say after their answer
+  std::map<std::string, std::string> answers;  ///< what these say behind the id instead of a plain result
   bool dies_at_start = false;
   std::size_t interrupt_after = 1000;  ///< tasks
   bool stopped = false;
@@ -88,11 +90,12 @@ class FakeRunner : public Runner {
     if (crashing.contains(id)) return end(worker, {false, "killed by signal 9", "line before the end"});
     worker.on_line("a library says hello");
     if (failing.contains(id))
-      worker.on_line("fail " + id + " \"no light\"");
-    else if (babbling.contains(id))
-      worker.on_line("done " + id + " {");
+      worker.on_line("fail " + id + " " + failing_words);
+    else if (answers.contains(id))
+      worker.on_line("done " + id + " " + answers.at(id));
     else
       worker.on_line("done " + id + R"( {"seconds": 1, "outputs": {}})");
+    for (const auto& line : more_lines[id]) worker.on_line(line);
     return true;
   }
 
@@ -193,9 +196,54 @@ TEST_F(Execute, WorkersThatDieBeforeAnyTaskEndTheRun) {
   EXPECT_THAT(outcomes[index("snapshot:one/a/direct")].reason, HasSubstr("libGL is broken"));
 }
 
-TEST_F(Execute, AnAnswerThatCannotBeReadIsAFailure) {
-  runner_.babbling = {"snapshot:two/a/other"};
+TEST_F(Execute, AnAnswerThatCannotBeReadIsAFailureOfItsTaskAlone) {
+  const std::string id = "snapshot:two/a/other";
+  for (const char* answer : {"{", "", "{}", "[]", "null", "7", R"({"seconds": "long", "outputs": {}})",
+                             R"({"seconds": 1, "outputs": []})", R"({"seconds": 1, "outputs": {"a": 7}})",
+                             R"({"seconds": 1, "outputs": {}, "metrics": {"gain": {}}})"}) {
+    cache_.entries.clear();
+    runner_.answers = {{id, answer}};
+    const auto outcomes = run();
+    EXPECT_EQ(outcomes[index(id)].state, TaskState::failed) << answer;
+    EXPECT_THAT(outcomes[index(id)].reason, HasSubstr("the worker's answer cannot be read")) << answer;
+    EXPECT_EQ(count(outcomes, TaskState::failed), 1u) << answer;
+    EXPECT_EQ(outcomes[index("snapshot:one/a/direct")].state, TaskState::done) << answer;
+  }
+}
+
+TEST_F(Execute, ATaskThatIsSaidToBeDoneTwiceIsDoneOnce) {
+  const std::string id = "snapshot:two/a/other";
+  const std::string result = R"({"seconds": 1, "outputs": {}})";
+  runner_.more_lines[id] = {"start " + id, "done " + id + " " + result, "fail " + id + R"( "late")"};
+  const auto outcomes = run();
+  EXPECT_EQ(outcomes[index(id)].state, TaskState::done);
+  EXPECT_EQ(count(outcomes, TaskState::done), plan_.tasks.size());
+}
+
+TEST_F(Execute, AReasonThatIsNoTextIsAFailureToo) {
+  runner_.failing = {"snapshot:two/a/other"};
+  runner_.failing_words = "{}";
   EXPECT_EQ(run()[index("snapshot:two/a/other")].state, TaskState::failed);
+}
+
+TEST_F(Execute, WhatReadAChangedPictureHasFailed) {
+  const std::string picture = "views/one/a/direct.exr";
+  runner_.answers["snapshot:one/a/direct"] =
+      R"({"seconds": 1, "outputs": {")" + picture + R"(": "as it was made"}})";
+  const std::string score = "score:one/a/direct/truth";
+  runner_.answers[score] =
+      R"({"seconds": 1, "outputs": {}, "inputs": {")" + picture + R"(": "something else"}})";
+  const auto outcomes = run();
+  EXPECT_EQ(outcomes[index(score)].state, TaskState::failed);
+  EXPECT_THAT(outcomes[index(score)].reason, HasSubstr(picture + " was changed while the run went on"));
+}
+
+TEST_F(Execute, WhatReadThePictureThatWasMadeIsDone) {
+  const std::string picture = "views/one/a/direct.exr";
+  runner_.answers["snapshot:one/a/direct"] = R"({"seconds": 1, "outputs": {")" + picture + R"(": "same"}})";
+  const std::string score = "score:one/a/direct/truth";
+  runner_.answers[score] = R"({"seconds": 1, "outputs": {}, "inputs": {")" + picture + R"(": "same"}})";
+  EXPECT_EQ(run()[index(score)].state, TaskState::done);
 }
 
 TEST_F(Execute, AnInterruptedRunKeepsWhatIsDoneAndGoesOnLater) {
