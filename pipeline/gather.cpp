@@ -10,6 +10,7 @@
 #include "pipeline/tables.h"
 #include "pipeline/version.h"
 #include "renderer/technique.h"
+#include "reports/value_text.h"
 
 namespace lightbench {
 namespace {
@@ -73,7 +74,8 @@ class Gatherer {
                                   .bounces = technique_bounces(technique, params),
                                   .offline = technique.offline,
                                   .tool = technique.needs_gl ? facts_.renderer : "",
-                                  .limited = technique.limited});
+                                  .limited = technique.limited,
+                                  .external = technique.external});
     }
     for (const auto& reference : plan_.job.references) {
       const ParamValues params = reference_params(reference);
@@ -97,7 +99,7 @@ class Gatherer {
   }
 
   static std::string bounces_warning(const ReportImageSource& variant, const ReportImageSource& reference) {
-    if (variant.kind == "images" || variant.bounces == reference.bounces) return "";
+    if (variant.external || variant.bounces == reference.bounces) return "";
     return fmt::format("{} has {} of indirect light, {} has {}", variant.name, bounces_text(variant.bounces),
                        reference.name, bounces_text(reference.bounces));
   }
@@ -192,17 +194,26 @@ class Gatherer {
         for (const auto& buffer : variant_buffers(job, job.variants[std::size_t(task.variant)]))
           image.buffers[buffer] = buffer_stem(job, task.scene, task.view, image.source, buffer) + ".png";
       const LedgerEntry& entry = *outcomes_[i].entry;
-      image.seconds = entry.result.seconds;
-      image.cpu_seconds = entry.result.cpu_seconds;
+      if (!is_external(task)) add_cost(entry, image);
       image.noise = entry.result.noise;
       image.mean_luminance = entry.result.mean_luminance;
       image.ray_rates = entry.result.ray_rates;
       image.cached = outcomes_[i].state == TaskState::cached;
       image.contended = entry.contended;
-      image.passes = entry.result.passes;
       image.warnings = entry.result.warnings;
     }
     report_.images.push_back(std::move(image));
+  }
+
+  /// Reading a picture of another engine says nothing of what it cost to make.
+  bool is_external(const Task& task) const {
+    return task.kind == TaskKind::snapshot && report_.variants[std::size_t(task.variant)].external;
+  }
+
+  static void add_cost(const LedgerEntry& entry, ReportImage& image) {
+    image.seconds = entry.result.seconds;
+    image.cpu_seconds = entry.result.cpu_seconds;
+    image.passes = entry.result.passes;
   }
 
   ReportObject object_row(std::size_t i) const {
@@ -248,7 +259,9 @@ class Gatherer {
     score.outcome = outcome_of(i);
     score.error = outcomes_[i].reason;
     if (score.outcome == Outcome::ok) {
-      score.metrics = outcomes_[i].entry->result.metrics;
+      const TaskResult& result = outcomes_[i].entry->result;
+      score.metrics = result.metrics;
+      score.warnings = result.warnings;
       const std::string stem = score_stem(job, task.scene, task.view, score.variant, score.reference);
       for (const auto& output : task.outputs) {
         if (output.ends_with(".heat.png"))
@@ -272,51 +285,13 @@ class Gatherer {
   RunReport report_;
 };
 
-/// The report with only those scores that were asked for or are there.
-RunReport judged_part(const Plan& plan, const RunReport& report, const std::vector<bool>& selected) {
-  RunReport part = report;
-  part.scores.clear();
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < plan.tasks.size(); ++i) {
-    if (plan.tasks[i].kind != TaskKind::score) continue;
-    const ReportScore& score = report.scores[next++];
-    if (selected[i] || score.outcome == Outcome::ok) part.scores.push_back(score);
-  }
-  return part;
-}
-
-bool has_score(const Gate& gate, const RunReport& report) {
-  const std::string& reference = gate.reference.empty() ? report.primary_reference : gate.reference;
-  const auto matches = [](const std::string& name, const std::string& pattern) {
-    return pattern.empty() || matches_name(name, pattern);
-  };
-  return std::any_of(report.scores.begin(), report.scores.end(), [&](const ReportScore& score) {
-    return matches_name(score.variant, gate.variant) && score.reference == reference &&
-           matches(score.scene, gate.scene) && matches(score.view, gate.view);
-  });
-}
-
-void judge_gates(const Plan& plan, const std::vector<bool>& selected, RunReport& report) {
-  if (selected.empty()) {
-    report.gates = evaluate_gates(plan.job.gates, report);
-    return;
-  }
-  const RunReport part = judged_part(plan, report, selected);
-  for (const auto& gate : plan.job.gates) {
-    if (has_score(gate, part))
-      report.gates.push_back(evaluate_gate(gate, part));
-    else
-      report.warnings.push_back("not judged, since this part of the run has no score for it: " +
-                                gate.as_written);
-  }
-}
-
 }  // namespace
 
 RunReport gather_report(const Plan& plan, const PlanFacts& facts, const std::vector<TaskOutcome>& outcomes,
-                        const std::vector<bool>& selected) {
+                        GateScope scope) {
   RunReport report = Gatherer(plan, facts, outcomes).gather();
-  judge_gates(plan, selected, report);
+  report.partial = scope == GateScope::what_is_there;
+  report.gates = evaluate_gates(plan.job.gates, report);
   return report;
 }
 
@@ -331,12 +306,10 @@ ExitCode exit_code_of(const RunReport& report, const std::vector<TaskOutcome>& o
 }
 
 ExitCode exit_code_of(const RunReport& report) {
-  const auto failed = [](const auto& row) { return row.outcome == Outcome::failed; };
-  if (std::ranges::any_of(report.images, failed) || std::ranges::any_of(report.scores, failed) ||
-      std::ranges::any_of(report.bakes, failed) || std::ranges::any_of(report.compressions, failed))
-    return ExitCode::task_failed;
-  const auto passed = [](const ReportGate& gate) { return gate.state != GateState::not_met; };
-  return std::all_of(report.gates.begin(), report.gates.end(), passed) ? ExitCode::ok : ExitCode::gate_failed;
+  const RunCounts counts = count_outcomes(report);
+  if (counts.failed > 0) return ExitCode::task_failed;
+  if (counts.gates_not_met > 0) return ExitCode::gate_failed;
+  return counts.gates_not_judged > 0 && !report.partial ? ExitCode::not_judged : ExitCode::ok;
 }
 
 }  // namespace lightbench

@@ -10,14 +10,18 @@
 
 namespace lightbench {
 
+/// What gates are judged by.
+enum class GateScope {
+  all_scores,     ///< a gate that lacks one of its scores is not judged
+  what_is_there,  ///< the scores that the run has decide; a gate without any is not judged
+};
+
 /// The model of a run from how its tasks ended: every image and score of the plan stands in it exactly once.
-/// In a part of a run (`selected` is not empty) a gate is judged by the scores that are there; one without
-/// any is left out, with a warning. In a whole run a gate that lacks a score is not met.
 RunReport gather_report(const Plan& plan, const PlanFacts& facts, const std::vector<TaskOutcome>& outcomes,
-                        const std::vector<bool>& selected);
+                        GateScope scope);
 
 /// task_failed where something failed, or was not finished though it was asked for; else gate_failed where a
-/// gate was not met; else ok.
+/// gate was not met; else not_judged where one was not judged and the run is not a partial one; else ok.
 ExitCode exit_code_of(const RunReport& report, const std::vector<TaskOutcome>& outcomes,
                       const std::vector<bool>& selected);
 /// The same from a stored report.

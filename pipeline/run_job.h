@@ -16,6 +16,7 @@ struct RunOptions {
   std::string only;           ///< pattern of task labels; empty: all
   std::set<TaskKind> stages;  ///< empty: all
   bool retry_failed = false;  ///< only what failed the last time, and what was skipped because of it
+  bool partial = false;       ///< gates are judged by the scores that are there
   std::string gl = "osmesa";
 };
 
@@ -29,7 +30,10 @@ struct PreparedRun {
 };
 
 /// Makes the job concrete (which may store drawn views in the run's folder), reads its scenes and plans.
-PreparedRun prepare_run(const Job& job, const std::filesystem::path& out, const std::string& gl);
+PreparedRun prepare_run(const Job& job, const std::filesystem::path& out, const std::string& gl, int places);
+
+/// Workers at a time: as many as are asked for, or where that is 0 as there are cores.
+int worker_places(int asked);
 
 /// Bakes into the run's folder what those snapshots draw that match `only`, and is not there yet. Throws
 /// Error where one of the objects could not be baked, and when a signal ended it.

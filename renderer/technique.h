@@ -36,6 +36,7 @@ struct FrameResult {
   std::vector<PassTime> passes;
   std::map<std::string, Image> buffers;  ///< linear, at the frame's size
   std::vector<std::string> warnings;
+  std::string picture_hash;  ///< of the file that an external technique showed, as it was read
 };
 
 struct BufferSpec {
@@ -59,6 +60,7 @@ struct Technique {
   bool needs_bake = false;  ///< draws what was baked for each object (renderer/radiance/object_bake.h)
   bool offline = false;     ///< traces paths: no technique for real time, but what these could reach
   bool limited = false;     ///< offline, and leaves out more light than that of further bounces: no ceiling
+  bool external = false;    ///< shows pictures that another engine made: its times and bounces are not known
   bool shows_water = false;
   /// Why else it cannot render this scene with these parameters; see reasons_against.
   std::vector<std::string> (*unsupported)(const Scene& scene, const ParamValues& params) = nullptr;

@@ -56,6 +56,7 @@ struct ReportImageSource {
   bool offline = false;  ///< a variant that traces paths: with a reference's bounces it is that one's ceiling
   std::string tool;      ///< renderer string, or POV-Ray's version
   bool limited = false;  ///< an offline variant that leaves out light on purpose: no ceiling
+  bool external = false;  ///< pictures of another engine: neither their cost nor their bounces are known
 };
 
 /// The snapshot of a variant, or a reference image, of one view.
@@ -68,9 +69,9 @@ struct ReportImage {
   std::string error;  ///< of a failed task
   std::string png;    ///< paths relative to the run's folder
   std::string exr;
-  std::string pov;  ///< of a POV-Ray reference
-  std::string key;  ///< hash of all that decides the image
-  double seconds = 0;
+  std::string pov;                          ///< of a POV-Ray reference
+  std::string key;                          ///< hash of all that decides the image
+  double seconds = 0;                       ///< wall clock; 0: not known
   double cpu_seconds = 0;                   ///< of all that rendered it; 0: not known
   std::optional<double> noise;              ///< of a reference: estimated mean error, of 255
   std::optional<double> mean_luminance;     ///< of a reference: of its object pixels, linear
@@ -119,13 +120,14 @@ enum class GateState {
   met,
   not_met,
   within_noise,  ///< met, but by less than the reference is exact: shown as a warning
+  not_judged,    ///< nothing, or only a part of what it is about, was measured
 };
-inline constexpr const char* kGateStateNames[] = {"met", "not met", "within noise"};
+inline constexpr const char* kGateStateNames[] = {"met", "not met", "within noise", "not judged"};
 
 struct ReportGate {
   std::string text;  ///< as the job wrote it
   GateState state = GateState::not_met;
-  std::string detail;  ///< the value, or where and why it failed
+  std::string detail;  ///< the value, or where and why it failed or was not judged
 };
 
 struct RunReport {
@@ -137,6 +139,7 @@ struct RunReport {
   int width = 0;
   int height = 0;
   int samples = 1;
+  bool partial = false;  ///< gates were judged by the scores that are there, as the user wanted
   std::string baseline;  ///< variant name, may be empty
   std::string primary_reference;
   std::vector<std::string> metric_names;

@@ -74,7 +74,9 @@ std::string gate_lines(const RunReport& report) {
   std::string text;
   for (const ReportGate& gate : report.gates)
     text += fmt::format("gate {}: {}: {}\n",
-                        gate.state == GateState::not_met ? "NOT MET" : gate_state_text(gate.state),
+                        gate.state == GateState::not_met      ? "NOT MET"
+                        : gate.state == GateState::not_judged ? "NOT JUDGED"
+                                                              : gate_state_text(gate.state),
                         plain_line(gate.text), plain_line(gate.detail));
   return text;
 }

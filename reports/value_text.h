@@ -35,6 +35,7 @@ struct RunCounts {
   std::size_t gates_met = 0;  ///< those within the noise too
   std::size_t gates_not_met = 0;
   std::size_t gates_within_noise = 0;
+  std::size_t gates_not_judged = 0;
 };
 RunCounts count_outcomes(const RunReport& report);
 
@@ -53,7 +54,7 @@ std::string variants_text(const ReportObject& object);
 /// "bake of floor (raw; piecewise)".
 std::string object_task(const std::string& task, const ReportObject& object);
 
-/// "met", "not met", "within noise".
+/// "met", "not met", "within noise", "not judged".
 std::string gate_state_text(GateState state);
 
 /// "All 5 gates met", "1 of 5 gates not met, 2 tasks failed": the run in one line.

@@ -6,30 +6,18 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "reports/value_text.h"
+#include "reports/gate_samples.h"
 
 namespace lightbench {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// One score that a gate looks at.
-struct Sample {
-  const ReportScore* score;
-  MetricValue value;
-  std::optional<double> noise;  ///< of its reference image, of 255
-  std::optional<double> unit;   ///< by how much of 255 the error changes where the metric changes by 1
-};
-
 struct Judgement {
   bool passed = false;
   std::string detail;
   std::string noise{};  ///< why it is met by too little to be sure
 };
-
-bool matches(const std::string& name, const std::string& pattern) {
-  return pattern.empty() || name == pattern || matches_glob(name, pattern);
-}
 
 std::string place(const ReportScore& score) {
   return score.scene + "/" + score.view;
@@ -77,25 +65,25 @@ std::string views(std::size_t count) {
   return count == 1 ? "1 view" : fmt::format("{} views", count);
 }
 
-Judgement judge_mean(const Gate& gate, const std::vector<Sample>& samples) {
+Judgement judge_mean(const Gate& gate, const std::vector<GateSample>& samples) {
   double sum = 0;
-  for (const Sample& sample : samples) sum += *sample.value.value;
+  for (const GateSample& sample : samples) sum += *sample.value.value;
   const double mean = sum / double(samples.size());
   return {within(gate, mean),
           fmt::format("{} mean of {}{}", number(mean), views(samples.size()), bound_of(gate, mean))};
 }
 
-Judgement judge_worst(const Gate& gate, const std::vector<Sample>& samples) {
-  const Sample& worst = *std::ranges::max_element(
-      samples, {}, [&](const Sample& sample) { return excess(gate, *sample.value.value); });
+Judgement judge_worst(const Gate& gate, const std::vector<GateSample>& samples) {
+  const GateSample& worst = *std::ranges::max_element(
+      samples, {}, [&](const GateSample& sample) { return excess(gate, *sample.value.value); });
   const double value = *worst.value.value;
   return {within(gate, value), fmt::format("{} on {}, the worst of {}{}", number(value), place(*worst.score),
                                            views(samples.size()), bound_of(gate, value))};
 }
 
-Judgement judge_each(const Gate& gate, const std::vector<Sample>& samples) {
+Judgement judge_each(const Gate& gate, const std::vector<GateSample>& samples) {
   std::vector<std::string> broken;
-  for (const Sample& sample : samples)
+  for (const GateSample& sample : samples)
     if (!within(gate, *sample.value.value))
       broken.push_back(fmt::format("{} on {}{}", number(*sample.value.value), place(*sample.score),
                                    bound_of(gate, *sample.value.value)));
@@ -105,7 +93,7 @@ Judgement judge_each(const Gate& gate, const std::vector<Sample>& samples) {
 }
 
 /// The difference of errors, of 255, that keeps a sample within the bounds.
-double margin(const Gate& gate, const Sample& sample) {
+double margin(const Gate& gate, const GateSample& sample) {
   return -excess(gate, *sample.value.value) * *sample.unit;
 }
 
@@ -114,12 +102,12 @@ std::string within_noise_text(double margin, double noise) {
 }
 
 /// Which difference is smaller than the noise, or nothing. Samples of which neither is known do not count.
-std::string within_noise(const Gate& gate, std::vector<Sample> samples) {
-  std::erase_if(samples, [](const Sample& sample) { return !sample.noise || !sample.unit; });
+std::string within_noise(const Gate& gate, std::vector<GateSample> samples) {
+  std::erase_if(samples, [](const GateSample& sample) { return !sample.noise || !sample.unit; });
   if (samples.empty()) return "";
   if (gate.over == Gate::Over::mean) {
     double margins = 0, noise = 0;
-    for (const Sample& sample : samples) {
+    for (const GateSample& sample : samples) {
       margins += margin(gate, sample);
       noise += *sample.noise;
     }
@@ -127,13 +115,13 @@ std::string within_noise(const Gate& gate, std::vector<Sample> samples) {
     return margins < noise ? within_noise_text(margins / count, noise / count) : "";
   }
   std::vector<std::string> found;
-  for (const Sample& sample : samples)
+  for (const GateSample& sample : samples)
     if (margin(gate, sample) < *sample.noise)
       found.push_back(place(*sample.score) + " " + within_noise_text(margin(gate, sample), *sample.noise));
   return some_of(found);
 }
 
-Judgement judge_values(const Gate& gate, const std::vector<Sample>& samples) {
+Judgement judge_values(const Gate& gate, const std::vector<GateSample>& samples) {
   switch (gate.over) {
     case Gate::Over::each:
       return judge_each(gate, samples);
@@ -145,9 +133,9 @@ Judgement judge_values(const Gate& gate, const std::vector<Sample>& samples) {
   return {false, "unknown kind of gate"};
 }
 
-Judgement judge(const Gate& gate, const std::vector<Sample>& samples) {
+Judgement judge(const Gate& gate, const std::vector<GateSample>& samples) {
   std::vector<std::string> without_number;
-  for (const Sample& sample : samples)
+  for (const GateSample& sample : samples)
     if (!sample.value.value)
       without_number.push_back(
           fmt::format("{} has no {}: {}", place(*sample.score), gate.metric, sample.value.undefined_because));
@@ -157,46 +145,66 @@ Judgement judge(const Gate& gate, const std::vector<Sample>& samples) {
   return judgement;
 }
 
-std::optional<double> noise_of(const RunReport& report, const ReportScore& score) {
-  for (const ReportImage& image : report.images)
-    if (image.is_reference && image.source == score.reference && image.scene == score.scene &&
-        image.view == score.view)
-      return image.noise;
-  return std::nullopt;
+bool has_numbers(const std::vector<GateSample>& samples) {
+  return std::ranges::all_of(samples,
+                             [](const GateSample& sample) { return sample.value.value.has_value(); });
 }
 
-std::optional<double> baseline_error(const RunReport& report, const ReportScore& score) {
-  for (const ReportScore& other : report.scores)
-    if (other.variant == report.baseline && other.reference == score.reference &&
-        other.scene == score.scene && other.view == score.view)
-      return metric_of(other, "mean_error").value;
-  return std::nullopt;
+/// How a gate came out for each variant that it is about.
+struct Findings {
+  std::vector<std::string> met, not_met, not_judged, uncertain;
+
+  void add(const Gate& gate, const GateSamples& samples, bool partial, const std::string& who);
+  ReportGate summed_up(ReportGate gate) const;
+};
+
+/// The scores that are missing can change a mean, but neither a view that breaks its bound nor one without a
+/// number.
+void Findings::add(const Gate& gate, const GateSamples& samples, bool partial, const std::string& who) {
+  const std::size_t all = samples.made.size() + samples.missing.size();
+  if (samples.made.empty())
+    return not_judged.push_back(fmt::format("{}none of {} was measured", who, views(all)));
+  const Judgement judgement = judge(gate, samples.made);
+  const bool whole = samples.missing.empty() || partial;
+  const bool may_change = judgement.passed || (gate.over == Gate::Over::mean && has_numbers(samples.made));
+  if (!whole && may_change)
+    return not_judged.push_back(fmt::format("{}measured on {} of {} only: {}", who, samples.made.size(),
+                                            views(all), judgement.detail));
+  (judgement.passed ? met : not_met).push_back(who + judgement.detail);
+  if (!judgement.noise.empty()) uncertain.push_back(who + judgement.noise);
 }
 
-std::optional<double> unit_of(const RunReport& report, const ReportScore& score, NoiseUnit unit) {
-  switch (unit) {
-    case NoiseUnit::none:
-      return std::nullopt;
-    case NoiseUnit::error:
-      return 1;
-    case NoiseUnit::percent_of_baseline: {
-      const std::optional<double> error = baseline_error(report, score);
-      return error ? std::optional(*error / 100) : std::nullopt;
-    }
+ReportGate Findings::summed_up(ReportGate gate) const {
+  if (!not_met.empty()) {
+    gate.detail = some_of(not_met);
+  } else if (!not_judged.empty()) {
+    gate.state = GateState::not_judged;
+    gate.detail = some_of(not_judged);
+  } else if (met.empty()) {
+    gate.detail = "no score matches";
+  } else {
+    gate.state = uncertain.empty() ? GateState::met : GateState::within_noise;
+    gate.detail = some_of(met);
+    if (!uncertain.empty()) gate.detail += "; " + some_of(uncertain);
   }
-  return std::nullopt;
+  return gate;
 }
 
-std::vector<Sample> samples_of(const Gate& gate, const std::string& variant, const RunReport& report) {
-  const std::string& reference = gate.reference.empty() ? report.primary_reference : gate.reference;
-  const NoiseUnit unit = metric_or_plain(gate.metric).noise_unit;
-  std::vector<Sample> samples;
-  for (const ReportScore& score : report.scores)
-    if (score.variant == variant && (reference.empty() || score.reference == reference) &&
-        matches(score.scene, gate.scene) && matches(score.view, gate.view))
-      samples.push_back(
-          {&score, metric_of(score, gate.metric), noise_of(report, score), unit_of(report, score, unit)});
-  return samples;
+ReportGate evaluate(const Gate& gate, const RunReport& report, const GateSampler& sampler) {
+  ReportGate result;
+  result.text = gate.as_written.empty() ? describe(gate) : gate.as_written;
+  if (!gate.min && !gate.max) {
+    result.detail = "the gate has neither a lower nor an upper bound";
+    return result;
+  }
+  Findings findings;
+  for (const ReportImageSource& variant : report.variants) {
+    if (variant.name != gate.variant && !matches_glob(variant.name, gate.variant)) continue;
+    const GateSamples samples = sampler.samples_of(gate, variant.name);
+    if (samples.made.empty() && samples.missing.empty()) continue;
+    findings.add(gate, samples, report.partial, variant.name == gate.variant ? "" : variant.name + ": ");
+  }
+  return findings.summed_up(std::move(result));
 }
 
 }  // namespace
@@ -212,32 +220,13 @@ std::string describe(const Gate& gate) {
 }
 
 ReportGate evaluate_gate(const Gate& gate, const RunReport& report) {
-  ReportGate result;
-  result.text = gate.as_written.empty() ? describe(gate) : gate.as_written;
-  if (!gate.min && !gate.max) {
-    result.detail = "the gate has neither a lower nor an upper bound";
-    return result;
-  }
-  std::vector<std::string> met, not_met, uncertain;
-  for (const ReportImageSource& variant : report.variants) {
-    if (!matches(variant.name, gate.variant)) continue;
-    const std::vector<Sample> samples = samples_of(gate, variant.name, report);
-    if (samples.empty()) continue;
-    const Judgement judgement = judge(gate, samples);
-    const std::string who = variant.name == gate.variant ? "" : variant.name + ": ";
-    (judgement.passed ? met : not_met).push_back(who + judgement.detail);
-    if (!judgement.noise.empty()) uncertain.push_back(who + judgement.noise);
-  }
-  if (not_met.empty() && !met.empty())
-    result.state = uncertain.empty() ? GateState::met : GateState::within_noise;
-  result.detail = !not_met.empty() ? some_of(not_met) : met.empty() ? "no score matches" : some_of(met);
-  if (result.state == GateState::within_noise) result.detail += "; " + some_of(uncertain);
-  return result;
+  return evaluate(gate, report, GateSampler(report));
 }
 
 std::vector<ReportGate> evaluate_gates(std::span<const Gate> gates, const RunReport& report) {
+  const GateSampler sampler(report);
   std::vector<ReportGate> results;
-  for (const Gate& gate : gates) results.push_back(evaluate_gate(gate, report));
+  for (const Gate& gate : gates) results.push_back(evaluate(gate, report, sampler));
   return results;
 }
 

@@ -17,6 +17,7 @@ struct RunFlags {
 };
 
 void add_run_flags(CLI::App& command, RunFlags& flags);
+void add_partial_flag(CLI::App& command, bool& partial);
 RunOptions run_options(const RunFlags& flags);
 TaskKind parse_stage(const std::string& name);
 

@@ -10,7 +10,7 @@ namespace {
 
 const char* verdict_class(const RunCounts& counts) {
   if (counts.gates_not_met > 0 || counts.failed > 0) return "bad";
-  return counts.skipped > 0 ? "warn" : "good";
+  return counts.skipped > 0 || counts.gates_not_judged > 0 ? "warn" : "good";
 }
 
 std::string fact(const std::string& name, const std::string& value) {

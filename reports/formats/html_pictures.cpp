@@ -20,6 +20,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr const char* kCaptionMetrics[] = {"mean_error", "gain", "pearson"};
 
 std::string time_text(const ReportImage& image) {
+  if (image.seconds == 0) return "";
   std::string text = duration_text(image.seconds);
   if (image.cached) return text + ", earlier run";
   if (image.contended) text = "≈ " + text;
@@ -27,6 +28,7 @@ std::string time_text(const ReportImage& image) {
 }
 
 std::string time_title(const ReportImage& image) {
+  if (image.seconds == 0) return "";
   std::string title = image.contended ? "Other tasks ran at the same time: not a measurement." : "";
   const auto add = [&](const std::string& line) { title += (title.empty() ? "" : "\n") + line; };
   for (const PassSeconds& pass : image.passes) add(pass.name + ": " + duration_text(pass.seconds));

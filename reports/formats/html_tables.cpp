@@ -113,7 +113,7 @@ std::string score_row(const RunReport& report, const ViewRows::View& view, std::
   for (const std::string& name : report.metric_names)
     row += number_cell(name, metric_of(score, name), ceiling);
   const ReportImage* image = view.image(score.variant);
-  row += image && image->outcome == Outcome::ok
+  row += image && image->outcome == Outcome::ok && image->seconds > 0
              ? fmt::format("<td class=\"number\" data-v=\"{:.6g}\">{}{}</td>", image->seconds,
                            image->contended ? "≈ " : "", duration_text(image->seconds))
              : "<td class=\"number dim\">–</td>";
@@ -125,7 +125,8 @@ struct GateLook {
   const char* text;
 };
 /// In the order of GateState.
-constexpr GateLook kGateLooks[] = {{"good", "✓ met"}, {"bad", "✗ not met"}, {"warn", "≈ within noise"}};
+constexpr GateLook kGateLooks[] = {
+    {"good", "✓ met"}, {"bad", "✗ not met"}, {"warn", "≈ within noise"}, {"warn", "? not judged"}};
 
 std::string optional_number(const std::optional<double>& value, double factor, int decimals) {
   return value ? fmt::format("<td class=\"number\">{:.{}f}</td>", factor * *value, decimals)
@@ -204,10 +205,13 @@ namespace {
 std::string cost_figure(const RunReport& report) {
   const std::string chart = cost_chart(report);
   if (chart.empty()) return "";
-  return "<figure class=\"chart\">" + chart +
-         "<figcaption class=\"note\">Gain and cost of the variants. Those with a name gain more than all "
-         "that take "
-         "less processor time.</figcaption></figure>\n";
+  return "<figure class=\"chart\">" + chart + "<figcaption class=\"note\">Gain and cost of the variants. " +
+         (has_contended_costs(report)
+              ? "Other tasks ran at the same time, so these times do not tell which variant is the better "
+                "bargain; <code>lightbench run JOB --jobs 1</code> into a new folder measures each picture "
+                "alone."
+              : "Those with a name gain more than all that take less processor time.") +
+         "</figcaption></figure>\n";
 }
 
 }  // namespace

@@ -62,6 +62,12 @@ Suite gates_suite(const RunReport& report) {
     } else if (gate.state == GateState::within_noise) {  // neither passed nor failed
       ++suite.skipped;
       body = skipped("within the reference's noise: " + gate.detail);
+    } else if (gate.state == GateState::not_judged && report.partial) {
+      ++suite.skipped;
+      body = skipped("not judged: " + gate.detail);
+    } else if (gate.state == GateState::not_judged) {  // no green light for what nobody measured
+      ++suite.errors;
+      body = problem("error", "not judged: " + gate.detail);
     }
     add_case(suite, "gate", gate.text, 0, body);
   }

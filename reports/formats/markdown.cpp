@@ -40,6 +40,11 @@ std::vector<Metric> shown_metrics(const RunReport& report) {
   return shown;
 }
 
+std::string cpu_time_cell(const RunReport& report, const std::string& variant) {
+  const double seconds = mean_cpu_seconds(report, variant);
+  return seconds > 0 ? duration_text(seconds) : "-";
+}
+
 std::string means(const RunReport& report) {
   const std::vector<Metric> shown = shown_metrics(report);
   std::vector<std::string> heading{"variant", "reference", "views"}, rule{":--", ":--", "--:"};
@@ -63,7 +68,7 @@ std::string means(const RunReport& report) {
                                               : value_text(metric, mean.mean));
         if (mean.undefined > 0 && mean.count > 0) cells.back() += fmt::format(" (of {})", mean.count);
       }
-      if (timed) cells.push_back(duration_text(mean_cpu_seconds(report, variant.name)));
+      if (timed) cells.push_back(cpu_time_cell(report, variant.name));
       text += row(cells);
     }
   }

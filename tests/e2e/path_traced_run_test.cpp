@@ -53,6 +53,33 @@ TEST_F(GlPathTracedRun, GainsHaveACeiling) {
   EXPECT_THAT(read_file(path("out/summary.md")), HasSubstr(" / "));
 }
 
+TEST_F(GlPathTracedRun, AVariantLikeTheReferenceHasAnotherSeed) {
+  // A floor and a wall, which light each other: the pictures have noise.
+  write("box.obj",
+        "mtllib box.mtl\nusemtl grey\nv -2 0 -2\nv 2 0 -2\nv 2 0 2\nv -2 0 2\nv -2 3 -2\nv 2 3 -2\n"
+        "f 1 4 3 2\nf 1 2 6 5\n");
+  const std::string job = R"({"size": [32, 24],
+      "scenes": [{"name": "box", "scene": "scene.json", "cameras": "cameras.json"}],
+      "variants": [{"name": "direct", "technique": "direct"},
+                   {"name": "again", "technique": "path_tracer", "params": {"samples": 4 MORE}}],
+      "references": [{"name": "truth", "kind": "path_tracer", "params": {"samples": 4}}],
+      "metrics": ["mean_error", "gain"]})";
+  const auto with = [&](const std::string& more) {
+    std::string text = job;
+    write("job.json", text.replace(text.find("MORE"), 4, more));
+    EXPECT_EQ(run_job().exit_code, 0);
+    return report().at("scores").at(1);
+  };
+  const Json apart = with("");
+  EXPECT_EQ(apart.at("variant"), "again");
+  EXPECT_GT(apart.at("metrics").at("mean_error").get<double>(), 0);
+  EXPECT_FALSE(apart.contains("warnings"));
+  const Json same = with(R"(, "seed": 1)");
+  EXPECT_EQ(same.at("metrics").at("mean_error").get<double>(), 0);
+  EXPECT_THAT(same.at("warnings").at(0).get<std::string>(), HasSubstr("are identical"));
+  EXPECT_THAT(read_file(path("out/summary.md")), ::testing::Not(HasSubstr(" / "))) << "that is no ceiling";
+}
+
 TEST_F(GlPathTracedRun, ASecondRunDoesNothing) {
   ASSERT_EQ(run_job().exit_code, 0);
   EXPECT_THAT(run_job().out, HasSubstr("0 tasks to do"));

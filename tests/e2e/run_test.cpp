@@ -61,6 +61,48 @@ TEST_F(GlRun, AGateThatIsMetIsExitCode0) {
   EXPECT_EQ(run_job().exit_code, 0);
 }
 
+TEST_F(GlRun, AGateThatIsMeasuredOnAPartOfItsViewsIsExitCode5) {
+  write_job(R"(, "gates": [{"metric": "mean_error", "variant": "*", "max": 255}])");
+  const auto part = run_job({"--only", "box/front/*"});
+  EXPECT_EQ(part.exit_code, 5) << part.out << part.err;
+  EXPECT_THAT(part.out, HasSubstr("gate NOT JUDGED"));
+  EXPECT_THAT(part.out, HasSubstr("1 of 1 gate not judged"));
+  EXPECT_EQ(run({"report", "out"}).exit_code, 5);
+  EXPECT_EQ(run_job({"--only", "box/front/*", "--partial"}).exit_code, 0);
+  EXPECT_EQ(report().at("gates").at(0).at("state"), "met");
+  EXPECT_EQ(run_job().exit_code, 0) << "now all views are measured";
+}
+
+TEST_F(GlRun, AGateWithoutScoresIsExitCode5) {
+  write_job(R"(, "gates": [{"metric": "mean_error", "variant": "*", "max": 255}])");
+  EXPECT_EQ(run_job({"--stages", "snapshot"}).exit_code, 5);
+  EXPECT_EQ(run_job({"--stages", "snapshot", "--partial"}).exit_code, 0);
+}
+
+TEST_F(GlRun, AJobIsNotReplacedByTheFilesOfItsRun) {
+  const std::string job = read_file(path("job.json"));
+  write("run.json", job);
+  const auto result = run({"run", "run.json", "--out", "."});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("the job would be overwritten by the run's run.json"));
+  EXPECT_EQ(read_file(path("run.json")), job);
+}
+
+TEST_F(GlRun, RetryingWithoutARunIsBadUsage) {
+  const auto result = run_job({"--retry-failed"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("there is no run in this folder"));
+  EXPECT_FALSE(std::filesystem::exists(path("out"))) << "nothing is begun";
+}
+
+TEST_F(GlRun, RetryingWhenNothingFailedJudgesAllGates) {
+  write_job(R"(, "gates": [{"metric": "mean_error", "variant": "*", "max": 255}])");
+  EXPECT_EQ(run_job().exit_code, 0);
+  const auto result = run_job({"--retry-failed"});
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_THAT(result.out, HasSubstr("The gate is met"));
+}
+
 TEST_F(GlRun, StagesOneAfterTheOther) {
   EXPECT_EQ(run_job({"--stages", "snapshot"}).exit_code, 0);
   EXPECT_EQ(pictures("truth.exr"), 0u);
@@ -84,16 +126,12 @@ TEST_F(GlRun, OnlyWhatDoesNotExistIsAnError) {
 }
 
 TEST_F(GlRun, PicturesOfAnotherEngineAreScored) {
-  write_png(path("mine/box-front.png"), Image8(32, 24, 3, 188));  // the sRGB of what the fake POV-Ray shows
-  write_png(path("mine/box-side.png"), Image8(32, 24, 3, 100));
-  std::string text = read_file(path("job.json"));
-  const std::string place = R"("variants": [)";
-  write("job.json",
-        text.replace(text.find(place), place.size(), place + R"({"name": "mine", "technique": "images",
-                                             "params": {"pattern": "mine/{scene}-{view}.png"}},)"));
+  add_pictures(188);  // the sRGB of what the fake POV-Ray shows
   EXPECT_EQ(run_job().exit_code, 0);
   const auto score = Json::parse(read_file(path("out/views/box/front/mine~truth.score.json")));
   EXPECT_EQ(score.at("metrics").at("mean_error"), 0.0);
+  for (const Json& image : report().at("images"))
+    if (image.at("source") == "mine") EXPECT_EQ(image.at("seconds"), 0) << "nobody knows what it cost";
   write_png(path("mine/box-side.png"), Image8(32, 24, 3, 120));
   EXPECT_THAT(run_job().out, HasSubstr("snapshot:box/side/mine done"));
 }
@@ -174,6 +212,13 @@ TEST_F(GlRun, BenchTimesEveryVariantApart) {
   const auto json = Json::parse(read_file(path("bench.json")));
   EXPECT_EQ(json.at("rows").size(), 4u);
   EXPECT_GT(json.at("rows").at(0).at("passes").at(0).at("median_seconds").get<double>(), 0);
+}
+
+TEST_F(GlRun, BenchLeavesPicturesOfAnotherEngineOut) {
+  add_pictures(100);
+  const auto result = run({"bench", "job.json", "--rounds", "1", "-o", "bench.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(Json::parse(read_file(path("bench.json"))).at("rows").size(), 4u);
 }
 
 }  // namespace

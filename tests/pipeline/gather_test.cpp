@@ -33,7 +33,7 @@ class Gather : public ::testing::Test {
   void set(const std::string& id, TaskState state, const std::string& reason) {
     outcome(id) = {state, reason, 0, std::nullopt};
   }
-  RunReport report() const { return gather_report(plan_, test::facts_for(plan_.job), outcomes_, selected_); }
+  RunReport report() const { return gather_report(plan_, test::facts_for(plan_.job), outcomes_, scope_); }
   static const ReportImage& image(const RunReport& report, const std::string& scene, const std::string& view,
                                   const std::string& source) {
     for (const auto& i : report.images)
@@ -46,6 +46,7 @@ class Gather : public ::testing::Test {
                R"("gates": [{"metric": "gain", "variant": "other", "min": 25}], "metrics")")));
   std::vector<TaskOutcome> outcomes_;
   std::vector<bool> selected_;
+  GateScope scope_ = GateScope::all_scores;
 };
 
 TEST_F(Gather, EveryImageAndScoreStandsInTheReportOnce) {
@@ -94,23 +95,52 @@ TEST_F(Gather, AFailureCountsMoreThanAGate) {
   EXPECT_EQ(exit_code_of(report(), outcomes_, selected_), ExitCode::task_failed);
 }
 
-TEST_F(Gather, APartOfARunIsJudgedByWhatIsThere) {
-  selected_ = select_tasks(plan_, {}, "one/a/*");
+TEST_F(Gather, AGateThatLacksAScoreIsNotJudged) {
+  selected_ = select_tasks(plan_, {}, "one/*");
   set("score:two/a/other/truth", TaskState::skipped, "not asked for");
   const RunReport made = report();
   ASSERT_EQ(made.gates.size(), 1u);
-  EXPECT_EQ(made.gates[0].state, GateState::met);
+  EXPECT_EQ(made.gates[0].state, GateState::not_judged);
+  EXPECT_THAT(made.gates[0].detail, HasSubstr("measured on 2 of 3 views only"));
+  EXPECT_EQ(exit_code_of(made, outcomes_, selected_), ExitCode::not_judged);
+}
+
+TEST_F(Gather, APartialRunIsJudgedByWhatIsThere) {
+  scope_ = GateScope::what_is_there;
+  selected_ = select_tasks(plan_, {}, "one/*");
+  set("score:two/a/other/truth", TaskState::skipped, "not asked for");
+  const RunReport made = report();
+  EXPECT_EQ(made.gates.at(0).state, GateState::met);
   EXPECT_EQ(exit_code_of(made, outcomes_, selected_), ExitCode::ok);
 }
 
-TEST_F(Gather, AGateWithoutAnyScoreIsLeftOutOfAPartOfARun) {
+TEST_F(Gather, AGateWithoutAnyScoreIsNotJudged) {
   selected_ = select_tasks(plan_, {TaskKind::snapshot}, "");
   for (std::size_t i = 0; i < outcomes_.size(); ++i)
     if (plan_.tasks[i].kind == TaskKind::score)
       outcomes_[i] = {TaskState::skipped, "not asked for", 0, std::nullopt};
+  EXPECT_EQ(report().gates.at(0).state, GateState::not_judged);
+  EXPECT_EQ(exit_code_of(report(), outcomes_, selected_), ExitCode::not_judged);
+  scope_ = GateScope::what_is_there;
+  EXPECT_EQ(report().gates.at(0).state, GateState::not_judged);
+  EXPECT_EQ(exit_code_of(report(), outcomes_, selected_), ExitCode::ok) << "the user wanted a part";
+}
+
+TEST_F(Gather, AFailedPictureLeavesItsGateNotMet) {
+  set("snapshot:one/a/other", TaskState::failed, "no light");
+  set("score:one/a/other/truth", TaskState::skipped, "needs snapshot:one/a/other, which failed");
   const RunReport made = report();
-  EXPECT_TRUE(made.gates.empty());
-  EXPECT_THAT(made.warnings, Contains(HasSubstr("not judged")));
+  EXPECT_EQ(made.gates.at(0).state, GateState::not_met);
+  EXPECT_THAT(made.gates.at(0).detail, HasSubstr("which failed"));
+}
+
+TEST_F(Gather, AStoredReportHasTheSameExitCode) {
+  set("score:two/a/other/truth", TaskState::skipped, "not asked for");
+  const RunReport made = report();
+  const RunReport stored = run_report_from_json(run_report_to_json(made), "run.json");
+  EXPECT_EQ(exit_code_of(stored), ExitCode::not_judged);
+  scope_ = GateScope::what_is_there;
+  EXPECT_EQ(exit_code_of(run_report_from_json(run_report_to_json(report()), "run.json")), ExitCode::ok);
 }
 
 TEST_F(Gather, AnotherNumberOfBouncesIsFlagged) {
@@ -120,12 +150,32 @@ TEST_F(Gather, AnotherNumberOfBouncesIsFlagged) {
   EXPECT_THAT(made.scores[0].warnings, Contains(HasSubstr("0 bounces")));
 }
 
+TEST_F(Gather, AScoreTellsWhatItsTaskWarnedOf) {
+  outcome("score:one/a/other/truth").entry->result.warnings = {"the pictures are identical"};
+  EXPECT_THAT(report().scores[1].warnings, Contains("the pictures are identical"));
+}
+
+TEST_F(Gather, PicturesOfAnotherEngineHaveNoCostAndNoBounces) {
+  plan_ = test::plan_of(test::concrete_job(
+      replaced(test::kJobText, R"({"name": "other", "technique": "ambient"})",
+               R"({"name": "other", "technique": "images", "params": {"pattern": "{scene}/{view}.png"}})")));
+  ASSERT_EQ(plan_.tasks.size(), outcomes_.size());
+  TaskResult& result = outcome("snapshot:one/a/other").entry->result;
+  result.seconds = result.cpu_seconds = 0.002;
+  result.passes = {{"read", 0.002}};
+  const RunReport made = report();
+  EXPECT_EQ(image(made, "one", "a", "other").seconds, 0);
+  EXPECT_EQ(image(made, "one", "a", "other").cpu_seconds, 0);
+  EXPECT_TRUE(image(made, "one", "a", "other").passes.empty());
+  for (const auto& warning : made.warnings) EXPECT_THAT(warning, ::testing::Not(HasSubstr("other 0")));
+}
+
 TEST_F(Gather, WhatTheSceneLacksIsToldWithIt) {
   PlanFacts facts = test::facts_for(plan_.job);
   facts.scenes[0].warnings = {"bump maps are ignored"};
   facts.scenes[0].kind_warnings["povray"] = {"a light is approximated"};
   facts.scenes[0].credits = {{"chair", "someone", "CC0"}};
-  const RunReport made = gather_report(plan_, facts, outcomes_, {});
+  const RunReport made = gather_report(plan_, facts, outcomes_, scope_);
   EXPECT_THAT(made.scenes[0].warnings,
               ElementsAre("bump maps are ignored", "povray: a light is approximated"));
   EXPECT_EQ(made.scenes[0].credits.at(0).creator, "someone");
@@ -149,7 +199,7 @@ class GatherObjects : public ::testing::Test {
     outcomes_.assign(plan_.tasks.size(), {TaskState::done, "", 0, LedgerEntry{}});
   }
   TaskOutcome& outcome(const std::string& id) { return outcomes_[index_of(plan_, id)]; }
-  RunReport report() const { return gather_report(plan_, facts_, outcomes_, {}); }
+  RunReport report() const { return gather_report(plan_, facts_, outcomes_, GateScope::all_scores); }
 
   Job job_ =
       test::concrete_job(replaced(test::kJobText, R"({"name": "other", "technique": "ambient"})", kVariants));
@@ -213,8 +263,8 @@ TEST(GatherSequences, FramesStandInTheirOrderWithTheirTimes) {
       R"({"name": "late", "position": [1, 0, 0], "look_at": [0, 0, 0], "time": 7, "frame": {"of": "x", "number": 1}},
                      {"name": "early", "position": [1, 0, 0], "look_at": [0, 0, 0], "frame": {"of": "x", "number": 0}})");
   const Plan plan = test::plan_of(test::concrete_job(text));
-  const RunReport made =
-      gather_report(plan, test::facts_for(plan.job), std::vector<TaskOutcome>(plan.tasks.size()), {});
+  const RunReport made = gather_report(plan, test::facts_for(plan.job),
+                                       std::vector<TaskOutcome>(plan.tasks.size()), GateScope::all_scores);
   ASSERT_EQ(made.sequences.size(), 3u);
   EXPECT_EQ(made.sequences[1].scene, "one");
   EXPECT_EQ(made.sequences[1].name, "b");

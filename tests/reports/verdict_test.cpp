@@ -98,6 +98,66 @@ TEST(Gate, FailedTaskIsNotMetAndSaysWhy) {
   EXPECT_THAT(result.detail, AllOf(HasSubstr("b/1"), HasSubstr("killed by signal 9")));
 }
 
+/// Two of the three scores were not asked for.
+RunReport part_of_a_run() {
+  RunReport run = kRun;
+  for (const std::size_t i : {1, 2}) {
+    run.scores[i].outcome = Outcome::skipped;
+    run.scores[i].error = "not asked for";
+  }
+  return run;
+}
+
+TEST(GateOfAPart, IsNotJudgedThoughWhatIsThereIsFine) {
+  for (const auto over : {Gate::Over::each, Gate::Over::mean, Gate::Over::worst}) {
+    const ReportGate result = evaluate_gate(gate(over, 5), part_of_a_run());
+    EXPECT_EQ(result.state, GateState::not_judged);
+    EXPECT_THAT(result.detail, HasSubstr("measured on 1 of 3 views only"));
+  }
+}
+
+TEST(GateOfAPart, IsNotMetWhereOneViewBreaksItsBound) {
+  for (const auto over : {Gate::Over::each, Gate::Over::worst})
+    EXPECT_EQ(evaluate_gate(gate(over, 15), part_of_a_run()).state, GateState::not_met);
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::mean, 15), part_of_a_run()).state, GateState::not_judged)
+      << "the views that are missing may lift the mean";
+}
+
+TEST(GateOfAPart, IsJudgedByWhatIsThereInAPartialRun) {
+  RunReport run = part_of_a_run();
+  run.partial = true;
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::mean, 5), run).state, GateState::met);
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::mean, 15), run).state, GateState::not_met);
+}
+
+TEST(GateOfAPart, WithoutAnyScoreIsNotJudgedEvenInAPartialRun) {
+  RunReport run = part_of_a_run();
+  run.scores[0].outcome = Outcome::skipped;
+  for (const bool partial : {false, true}) {
+    run.partial = partial;
+    const ReportGate result = evaluate_gate(gate(Gate::Over::each, 5), run);
+    EXPECT_EQ(result.state, GateState::not_judged);
+    EXPECT_EQ(result.detail, "none of 3 views was measured");
+  }
+}
+
+TEST(GateOfAPart, IsNotMetWhereOneViewHasNoNumber) {
+  RunReport run = part_of_a_run();
+  run.scores[0].metrics["gain"] = MetricValue::undefined("the baseline has no error");
+  for (const auto over : {Gate::Over::each, Gate::Over::mean, Gate::Over::worst})
+    EXPECT_EQ(evaluate_gate(gate(over, 5), run).state, GateState::not_met);
+}
+
+TEST(GateOfAPart, NeedsAllVariantsThatItsPatternMatches) {
+  Gate all = gate(Gate::Over::each, 5);
+  all.variant = "isr-*";
+  RunReport run = run_of({score("a/1", "isr-48", 10), score("a/1", "isr-24", 10)});
+  run.scores[1].outcome = Outcome::skipped;
+  const ReportGate result = evaluate_gate(all, run);
+  EXPECT_EQ(result.state, GateState::not_judged);
+  EXPECT_EQ(result.detail, "isr-24: none of 1 view was measured");
+}
+
 TEST(Gate, MetricThatWasNotComputedIsNotMet) {
   Gate of_luv = gate(Gate::Over::each, 0);
   of_luv.metric = "luv";
