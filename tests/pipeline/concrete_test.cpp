@@ -32,6 +32,13 @@ TEST(Concrete, ASweepMakesAVariantOfEachCombination) {
                           "other[shadows=pcf,k=0.5]", "other[shadows=pcf,k=1]"));
 }
 
+TEST(Concrete, ASweepOfMoreCombinationsThanCanBeCountedIsAnError) {
+  JobVariant variant;
+  for (int i = 0; i < 32; ++i)  // 4^32 is 2^64, which is 0 in 64 bits
+    variant.sweep.emplace_back("p" + std::to_string(i), std::vector<ParamValue>{0.0, 1.0, 2.0, 3.0});
+  EXPECT_THROW(expand_sweeps({variant}), Error);
+}
+
 TEST(Concrete, SweptVariantsHaveTheirValues) {
   const auto params = variant_params(swept_job().variants[2]);
   EXPECT_EQ(params.text("shadows"), "hard");
