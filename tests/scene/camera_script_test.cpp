@@ -7,6 +7,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "base/error.h"
+#include "scene/motion.h"
 #include "scene_test_files.h"
 
 namespace lightbench {
@@ -63,7 +64,7 @@ TEST(CameraScript, RejectsUpAlongTheView) {
 }
 
 TEST(CameraScript, RejectsAFieldOfViewThatIsNoAngle) {
-  for (const char* fov : {"0", "180", "-5", "1e9"})
+  for (const char* fov : {"0", "180", "-5", "1e9", "1e-300", "179.999999999"})
     EXPECT_THAT(error_of_script(view_with(std::string(R"(, "fov": )") + fov)), HasSubstr("$.views[0].fov"))
         << fov;
 }
@@ -79,7 +80,7 @@ TEST(CameraScript, RejectsAScriptWithoutViews) {
 
 TEST(CameraScript, NamesAreOnlyText) {
   const SceneTestFiles files;
-  const std::string name = "a \"b\" \\ \n <c> \xC3\xA4";
+  const std::string name = "a \"b\" \\ <c> \xC3\xA4";
   const auto text = camera_script_text({{name, Camera{}}});
   EXPECT_EQ(read_camera_script(files.write("c.json", text))[0].name, name);
 }
@@ -142,6 +143,22 @@ TEST(CameraScript, RejectsASingleKeyframe) {
 TEST(CameraScript, RejectsAKeyframeWithoutAPosition) {
   EXPECT_THAT(error_of_script(view_with_keyframes(R"({"time": 1, "position": [0, 0, 1]})", R"({"time": 2})")),
               AllOf(HasSubstr("$.views[0].keyframes[1]"), HasSubstr("'position' is missing")));
+}
+
+TEST(CameraScript, TheWidestAndTheNarrowestViewReadBackAtEachTime) {
+  const SceneTestFiles files;
+  for (const char* fov : {"0.001", "179.9"}) {
+    const std::string keys =
+        std::string(R"(, "fov": )") + fov + R"(, "keyframes": [{"time": 0}, {"time": 1}])";
+    const View moving =
+        read_camera_script(files.write("c.json", "{\"views\": [" + view_with(keys) + "]}"))[0];
+    for (int i = 0; i <= 100; ++i) {
+      View still = view_at(moving, i / 100.0);
+      still.keyframes.clear();
+      const auto text = camera_script_text({still});
+      EXPECT_NO_THROW(read_camera_script(files.write("still.json", text))) << text;
+    }
+  }
 }
 
 TEST(CameraScript, MovingViewsAndFramesReadBackAsTheyWere) {
