@@ -10,8 +10,9 @@
 namespace lightbench {
 
 /// {"views": [{"name", "position", "look_at", "up", "fov", "time", "frame", "keyframes"}]}, fov vertical in
-/// degrees. Names are unique, the position is not the look_at, up is not along the view, 0 < fov < 180:
-/// otherwise Error with its place. Of a view with keyframes this holds for each of them and for its time.
+/// degrees. Names are unique, the position is not the look_at, up is not along the view, 0.001 <= fov <=
+/// 179.9: otherwise Error with its place. Of a view with keyframes this holds for each of them and for its
+/// time.
 std::vector<View> read_camera_script(const std::filesystem::path& file);
 
 /// One view object of a script or a job.
