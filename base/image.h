@@ -8,6 +8,9 @@
 
 namespace lightbench {
 
+/// The largest float of 16 bits, which pictures and baked radiance are kept in.
+inline constexpr float kLargestHalf = 65504;
+
 /// An image of interleaved components, row 0 on top.
 template <typename Component>
 struct BasicImage {

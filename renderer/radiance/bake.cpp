@@ -11,6 +11,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "base/image.h"
 #include "renderer/paths/direct_sampler.h"
 #include "renderer/paths/half_error.h"
 #include "renderer/paths/path_draw.h"

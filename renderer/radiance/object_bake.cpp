@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/image.h"
 #include "base/text.h"
 #include "renderer/radiance/bake.h"
 #include "renderer/radiance/baked_file.h"

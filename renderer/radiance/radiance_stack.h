@@ -27,10 +27,8 @@ struct RadianceStack {
   }
 };
 
-/// What is brighter than a half can tell is kept as this.
-inline constexpr float kLargestHalf = 65504;
-
-/// 16-bit floats: linear radiance over `scale`, not clamped. The bits are those of IEEE binary16.
+/// 16-bit floats: linear radiance over `scale`, what is above kLargestHalf being kept as that. The bits are
+/// those of IEEE binary16.
 using HalfStack = RadianceStack<std::uint16_t>;
 /// sRGB-encoded, 0..255, of radiance over `scale`, clamped to 1.
 using ByteStack = RadianceStack<std::uint8_t>;
