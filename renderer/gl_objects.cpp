@@ -142,11 +142,12 @@ GlTexture GlTexture::array(TexelFormat format, int width, int height, int layers
   return texture;
 }
 
-void GlTexture::upload(const std::vector<std::uint16_t>& texels) {
-  assert(texels.size() == std::size_t(width_) * std::size_t(height_) * 4 && component_count(format_) == 4);
+void GlTexture::upload_rows(int first, std::span<const std::uint16_t> texels) {
+  const std::size_t row_size = std::size_t(width_) * 4;
+  assert(texels.size() % row_size == 0 && component_count(format_) == 4);
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTextureSubImage2D(id(), 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_SHORT,
-                      flipped(texels, height_).data());
+  glTextureSubImage2D(id(), 0, 0, first, width_, GLsizei(texels.size() / row_size), GL_RGBA,
+                      GL_UNSIGNED_SHORT, texels.data());
 }
 
 void GlTexture::upload(const Image& pixels) {

@@ -97,8 +97,8 @@ class GlTexture {
   TexelFormat format() const { return format_; }
   int layers() const { return layers_; }  ///< 0: not an array
 
-  void upload(
-      const std::vector<std::uint16_t>& texels);  ///< RGBA, normalised, row 0 on top: v = 1 is the top
+  /// Whole rows of normalised RGBA from row `first` on, in OpenGL's order, whose row 0 is the bottom.
+  void upload_rows(int first, std::span<const std::uint16_t> texels);
   void upload(const Image& pixels);  ///< float, as many components as the format has, row 0 on top
   /// One layer of an array: texels, or blocks of them, as the format keeps them, OpenGL's row 0 first. For
   /// rgb16f, rgb16, rgba16, rgba16_snorm, rgba8 and rg_rgtc2.

@@ -60,16 +60,37 @@ void split(const Mesh& mesh, std::span<std::uint32_t> triangles, std::uint32_t m
   split(mesh, triangles.subspan(half), max_triangles, first + std::uint32_t(half), clusters);
 }
 
-// Linear light in 16 bits: drivers may decode sRGB texels coarsely (to 1/500 in llvmpipe), and filtering is
-// to be done in linear light.
-std::vector<std::uint16_t> linear_texels(const Image8& pixels) {
-  std::array<std::uint16_t, 256> linear{};
+using LinearTable = std::array<std::uint16_t, 256>;
+
+LinearTable linear_table() {
+  LinearTable linear{};
   for (std::size_t i = 0; i < linear.size(); ++i)
     linear[i] = std::uint16_t(std::lround(srgb_decode8(std::uint8_t(i)) * 65535.0f));
-  std::vector<std::uint16_t> texels(pixels.data.size());
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    texels[i] = i % 4 == 3 ? std::uint16_t(pixels.data[i] * 257) : linear[pixels.data[i]];
-  return texels;
+  return linear;
+}
+
+// Row `y` of the picture; alpha is linear already.
+void append_linear_row(std::vector<std::uint16_t>& texels, const Image8& pixels, int y,
+                       const LinearTable& linear) {
+  const std::size_t row_size = std::size_t(pixels.width) * 4;
+  const auto row = std::span(pixels.data).subspan(std::size_t(y) * row_size, row_size);
+  for (std::size_t i = 0; i < row.size(); ++i)
+    texels.push_back(i % 4 == 3 ? std::uint16_t(row[i] * 257) : linear[row[i]]);
+}
+
+// Linear light in 16 bits: drivers may decode sRGB texels coarsely (to 1/500 in llvmpipe), and filtering is
+// to be done in linear light. In strips, since copies of large textures would take gigabytes.
+void upload_linear(GlTexture& texture, const Image8& pixels) {
+  constexpr std::size_t kStripBytes = std::size_t{1} << 24;
+  const LinearTable linear = linear_table();
+  const int strip = std::max(1, int(kStripBytes / (std::size_t(pixels.width) * 4 * sizeof(std::uint16_t))));
+  std::vector<std::uint16_t> texels;
+  for (int first = 0; first < pixels.height; first += strip) {
+    texels.clear();
+    for (int row = first; row < std::min(first + strip, pixels.height); ++row)
+      append_linear_row(texels, pixels, pixels.height - 1 - row, linear);
+    texture.upload_rows(first, texels);
+  }
 }
 
 // Index ranges to draw, neighbours joined.
@@ -130,7 +151,7 @@ GpuScene::GpuScene(const Scene& scene) {
                               pixels.height, limit),
                   source.file.string());
     textures_.emplace_back(TexelFormat::rgba16, pixels.width, pixels.height, Filter::linear, Wrap::repeat);
-    textures_.back().upload(linear_texels(pixels));
+    upload_linear(textures_.back(), pixels);
   }
   for (const Mesh& mesh : scene.meshes) upload_mesh(scene, mesh);
   upload_materials(scene);

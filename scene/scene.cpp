@@ -102,6 +102,18 @@ std::size_t triangle_count(const Scene& scene) {
   return count;
 }
 
+std::vector<std::filesystem::path> file_paths(const Scene& scene) {
+  std::vector<std::filesystem::path> paths;
+  for (const SourceFile& file : scene.files) paths.push_back(file.path);
+  return paths;
+}
+
+std::size_t texture_bytes(const Scene& scene) {
+  std::size_t bytes = 0;
+  for (const Texture& texture : scene.textures) bytes += texture.pixels.data.size();
+  return bytes;
+}
+
 DepthRange depth_range(const Scene& scene, const Camera& camera) {
   DepthRange range;
   range.far = scene.far ? *scene.far : computed_far(scene, camera);

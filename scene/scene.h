@@ -195,6 +195,12 @@ struct Bounds {
   float diagonal() const;
 };
 
+/// A file that was read for a scene.
+struct SourceFile {
+  std::filesystem::path path;
+  std::string hash;  ///< of what it held when it was read
+};
+
 struct Scene {
   std::string name;
   std::vector<Texture> textures;
@@ -208,15 +214,18 @@ struct Scene {
   std::optional<float> near;  ///< as given by the scene file
   std::optional<float> far;
   std::vector<Credit> credits;
-  std::vector<std::string> warnings;         ///< what the scene has that lightbench does not show as it is
-  std::vector<std::filesystem::path> files;  ///< everything that was read, in order
+  std::vector<std::string> warnings;  ///< what the scene has that lightbench does not show as it is
+  std::vector<SourceFile> files;      ///< everything that was read, in order
 };
+
+std::vector<std::filesystem::path> file_paths(const Scene& scene);
 
 /// Of an entity, where it stands at Scene::time.
 Bounds entity_bounds(const Scene& scene, std::size_t entity);
 /// Of all entities, moving ones where they stand at Scene::time.
 Bounds world_bounds(const Scene& scene);
 std::size_t triangle_count(const Scene& scene);  ///< of all entities, instances counted each
+std::size_t texture_bytes(const Scene& scene);   ///< that the pixels of all textures take in memory
 
 /// Distances along the view direction between which the view is drawn.
 struct DepthRange {
