@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
+#include <fmt/format.h>
+
+#include "base/atomic_file.h"
 #include "base/color.h"
 #include "base/error.h"
-#include "base/files.h"
 #include "base/text.h"
 
 namespace lightbench {
@@ -35,17 +36,40 @@ Image for_the_eye(Image buffer) {
   return buffer;
 }
 
-}  // namespace
-
-void write_image_pair(const std::filesystem::path& exr, const std::filesystem::path& png, const Image& image,
-                      const ImageMetadata& metadata) {
+void check_finite(const Image& image, const std::filesystem::path& file) {
   if (const auto bad = first_non_finite(image); bad >= 0) {
     const auto pixel = bad / image.channels;
     throw Error("the image has a value that is not a number at pixel (" +
-                std::to_string(pixel % image.width) + ", " + std::to_string(pixel / image.width) + ")");
+                    std::to_string(pixel % image.width) + ", " + std::to_string(pixel / image.width) + ")",
+                file.string());
   }
-  write_exr(exr, image, PixelType::half, metadata);
+}
+
+std::vector<std::string> write_half(const std::filesystem::path& exr, const Image& image,
+                                    const ImageMetadata& metadata) {
+  const std::size_t clamped = write_exr(exr, image, PixelType::half, metadata);
+  if (clamped == 0) return {};
+  return {
+      fmt::format("{} of {} pixels have a number beyond {:.0f}, the largest 16-bit float, and were written "
+                  "with that",
+                  clamped, image.pixel_count(), kLargestHalf)};
+}
+
+}  // namespace
+
+std::vector<std::string> write_image_pair(const std::filesystem::path& exr, const std::filesystem::path& png,
+                                          const Image& image, const ImageMetadata& metadata) {
+  check_finite(image, exr);
+  auto warnings = write_half(exr, image, metadata);
   write_png(png, first_channels(read_image_srgb8(exr), 3));
+  return warnings;
+}
+
+std::vector<std::string> write_picture(const std::filesystem::path& file, const Image& image) {
+  check_finite(image, file);
+  if (file.extension() == ".exr") return write_half(file, image, {});
+  write_png(file, first_channels(to_srgb8(image), 3));
+  return {};
 }
 
 void write_buffer_pair(const std::filesystem::path& exr, const std::filesystem::path& png,
@@ -55,9 +79,7 @@ void write_buffer_pair(const std::filesystem::path& exr, const std::filesystem::
 }
 
 void require_writable(const std::filesystem::path& file) {
-  const AtomicFile place(file);
-  std::ofstream stream(place.path());
-  if (!stream.put(' ').flush()) throw Error("cannot be written", file.string());
+  AtomicFile(file).write(" ");
 }
 
 GlBackend parse_gl(const std::string& text, const std::string& where) {

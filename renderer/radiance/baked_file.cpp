@@ -124,19 +124,17 @@ std::uint64_t BakedHeader::file_bytes() const {
 }
 
 BakedFile::BakedFile(const fs::path& file, std::string_view kind, const BakedHeader& header,
-                     std::span<const std::byte> entries)
-    : file_(file) {
+                     std::span<const std::byte> entries, FileSystem& files)
+    : file_(file, files) {
   assert(header.file_bytes() == kBakedHeaderBytes + entries.size());
   if (header.entries > kMaxBakedEntries)
     throw Error(fmt::format("cannot hold {} entries, at most {}", header.entries, kMaxBakedEntries),
                 file.string());
   const HeaderBytes bytes = bytes_of(header, kind);
   parse(bytes, kind, file.string());  // so that nothing is written that cannot be read
-  std::ofstream stream(file_.path(), std::ios::binary);
-  stream.write(bytes.data(), bytes.size());
-  stream.write(reinterpret_cast<const char*>(entries.data()), std::streamsize(entries.size()));
-  stream.close();
-  if (!stream) throw Error("cannot write: " + system_message(), file.string());
+  file_.write({bytes.data(), bytes.size()});
+  file_.write({reinterpret_cast<const char*>(entries.data()), entries.size()});
+  file_.finish();
 }
 
 BakedReader::BakedReader(const fs::path& file, std::string_view kind) : file_(file) {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/files.h"
+#include "base/atomic_file.h"
 #include "renderer/radiance/direction_grid.h"
 
 /// What the files of a baked object have in common: a header of kBakedHeaderBytes, then entries of one size,
@@ -39,7 +39,7 @@ struct BakedHeader {
 class BakedFile {
  public:
   BakedFile(const std::filesystem::path& file, std::string_view kind, const BakedHeader& header,
-            std::span<const std::byte> entries);
+            std::span<const std::byte> entries, FileSystem& files = machine_files());
   void commit() { file_.commit(); }
 
  private:

@@ -41,6 +41,20 @@ TEST_F(ImagePair, ANumberThatIsNoneLeavesNoFile) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
+TEST_F(ImagePair, WhatIsTooBrightIsClampedWithAWarning) {
+  Image image(2, 1, 3, 0.5f);
+  image.data[1] = 1e6f;
+  const auto warnings = write_image_pair(exr_, png_, image, {});
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings.front(), HasSubstr("1 of 2 pixels have a number beyond 65504"));
+  EXPECT_EQ(read_image(exr_).data[1], kLargestHalf);
+  EXPECT_THAT(read_image_srgb8(png_).data, ElementsAre(188, 255, 188, 188, 188, 188));
+  EXPECT_THAT(write_picture(exr_, image), ::testing::SizeIs(1));
+  EXPECT_THAT(write_picture(png_, image), ::testing::IsEmpty());  // 8 bits end at 1 anyway
+  image.data[1] = 65504;
+  EXPECT_THAT(write_image_pair(exr_, png_, image, {}), ::testing::IsEmpty());
+}
+
 TEST_F(ImagePair, ABufferOfOneComponentIsStretchedForTheEyeAndKeptAsItIs) {
   Image depth(3, 1, 1);
   depth.data = {2, 3, 4};

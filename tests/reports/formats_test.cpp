@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "reports/escape.h"
 #include "reports/report_formats.h"
+#include "tests/base/small_disk.h"
 #include "tests/reports/sample_run.h"
 
 namespace lightbench {
@@ -77,6 +78,15 @@ TEST(ReportFormats, OnlyTheNamedOnesAreWritten) {
   write_reports(sample_run(), folder.path(), {"junit"});
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "junit.xml"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "run.json"));
+}
+
+TEST(ReportFormats, OnAFullDiskAReportIsWholeOrTheOldOne) {
+  if (!test::with_small_disk([&](const test::SmallDisk& disk) {
+        test::expect_whole_or_old(disk, "run.json", [&](const std::filesystem::path& file) {
+          write_reports(sample_run(), file.parent_path(), {"json"});
+        });
+      }))
+    GTEST_SKIP() << test::kNoMounts;
 }
 
 TEST(ReportFormats, UnknownFormatIsAnErrorBeforeAnythingIsWritten) {

@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 
 #include "base/error.h"
+#include "tests/base/small_disk.h"
 #include "tests/renderer/radiance/damage.h"
 #include "tests/renderer/radiance/random_stacks.h"
 
@@ -138,6 +139,15 @@ TEST_F(RadianceFile, MissingFilesAndFoldersAreErrors) {
   EXPECT_THAT([&] { read_byte_radiance(file); }, ThrowsMessage<Error>(HasSubstr("wall.mtex")));
   EXPECT_THAT([&] { read_radiance_header(folder.path()); },
               ThrowsMessage<Error>(HasSubstr(folder.path().string())));
+}
+
+TEST_F(RadianceFile, OnAFullDiskItIsWholeOrTheOldOne) {
+  const ByteStack stack = random_stack(Content::noise, {5, 4}, 20, 20, 2);
+  if (!test::with_small_disk([&](const test::SmallDisk& disk) {
+        test::expect_whole_or_old(disk, "wall.mtex",
+                                  [&](const auto& target) { write_radiance(target, stack); });
+      }))
+    GTEST_SKIP() << test::kNoMounts;
 }
 
 /// Files may not grow beyond `bytes`, as on a full disk.
