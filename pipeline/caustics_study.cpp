@@ -37,7 +37,7 @@ Image parallel_picture(const Scene& scene, const Camera& camera, const glm::dvec
   const PovAssets assets = pov_assets(scene);
   const TemporaryFolder folder;
   for (const auto& [name, text] : assets.includes) write_file_atomic(folder.path() / name, text);
-  for (const auto& [name, image] : assets.images) write_png(folder.path() / name, image);
+  for (const auto& [name, image] : assets.images) write_png(folder.path() / name, pov_image(scene, image));
   PovOptions options;
   options.radiosity = false;
   options.photon_spacing = photon_spacing;

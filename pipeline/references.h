@@ -41,6 +41,7 @@ struct ReferenceImage {
   double cpu_seconds = 0;
   std::optional<double> noise;              ///< estimated mean error of the 8-bit image, of 255; if known
   std::map<std::string, double> ray_rates;  ///< rays a second, by class of ray; of a path tracer
+  std::vector<std::string> warnings = {};   ///< about the image
 };
 
 /// What a scene gives to all its reference views: made once, then asked many times, the scene being at the
@@ -51,8 +52,10 @@ class SceneExport {
   /// What decides the image, but for the tool's version.
   virtual KeyParts key_parts(const ReferenceRequest& request) const = 0;
   virtual std::vector<std::string> warnings() const = 0;
-  /// Writes the files that all views share, and tells their names.
-  virtual std::vector<std::string> write_shared(const std::filesystem::path& folder) const = 0;
+  /// Names of the files that all views share.
+  virtual std::vector<std::string> shared_files() const = 0;
+  /// Writes them.
+  virtual void write_shared(const std::filesystem::path& folder) const = 0;
   /// Writes the view's files: one for each of the kind's suffixes.
   virtual void write_view(const ReferenceRequest& request, const std::filesystem::path& stem) const = 0;
 };

@@ -28,6 +28,11 @@ void write_finish(PovWriter& out, float diffuse, const glm::vec3& ambient, const
 
 }  // namespace
 
+Image8 pov_image(const Scene& scene, const PovImage& image) {
+  const Image8& pixels = scene.textures[std::size_t(image.texture)].pixels;
+  return image.part == PovImage::Part::color ? first_channels(pixels, 3) : cutout_mask(pixels);
+}
+
 bool PovMaterials::uses_uv(int material) const {
   const Material& m = scene_.materials[std::size_t(material)];
   return m.diffuse_texture != kNoTexture || m.cutout_texture != kNoTexture;
@@ -49,7 +54,7 @@ int PovMaterials::pigment(TextureIndex texture) {
   const auto [entry, added] = pigments_.try_emplace(texture, int(pigments_.size()) + 1);
   if (added) {
     const std::string file = pov_file_name("tex", entry->second, "png");
-    images_[file] = first_channels(scene_.textures[std::size_t(texture)].pixels, 3);
+    images_[file] = {texture, PovImage::Part::color};
     declarations_.name("#declare P", entry->second).words("=pigment{uv_mapping image_map{png ").file(file);
     declarations_.words(" gamma srgb interpolate 2}}\n");
   }
@@ -60,7 +65,7 @@ std::string PovMaterials::cutout_file(TextureIndex texture) {
   const auto [entry, added] = cutouts_.try_emplace(texture);
   if (added) {
     entry->second = pov_file_name("cut", int(cutouts_.size()), "png");
-    images_[entry->second] = cutout_mask(scene_.textures[std::size_t(texture)].pixels);
+    images_[entry->second] = {texture, PovImage::Part::cutout};
   }
   return entry->second;
 }

@@ -13,6 +13,15 @@
 
 namespace lightbench {
 
+/// An image that POV-Ray reads: a texture's colour, or the grey mask of where it is not cut out.
+struct PovImage {
+  enum class Part { color, cutout };
+  TextureIndex texture = kNoTexture;
+  Part part = Part::color;
+};
+/// Its pixels: a copy, which of a large texture takes a gigabyte.
+Image8 pov_image(const Scene& scene, const PovImage& image);
+
 /// The textures of a scene: declarations T1, T2, ... of the materials (one more for each vertex colour that
 /// occurs with a material) and the images that they use.
 class PovMaterials {
@@ -25,7 +34,7 @@ class PovMaterials {
   bool uses_uv(int material) const;
 
   const PovWriter& declarations() const { return declarations_; }
-  std::map<std::string, Image8> take_images() { return std::move(images_); }
+  std::map<std::string, PovImage> take_images() { return std::move(images_); }
 
  private:
   using Key = std::tuple<int, float, float, float>;
@@ -40,7 +49,7 @@ class PovMaterials {
   std::map<Key, int> textures_;
   std::map<TextureIndex, int> pigments_;
   std::map<TextureIndex, std::string> cutouts_;
-  std::map<std::string, Image8> images_;
+  std::map<std::string, PovImage> images_;
 };
 
 }  // namespace lightbench

@@ -8,6 +8,7 @@
 #include "base/image.h"
 #include "base/params.h"
 #include "povexport/pov_lights.h"
+#include "povexport/pov_materials.h"
 #include "scene/scene.h"
 
 namespace lightbench {
@@ -41,7 +42,7 @@ int pov_bounces(const PovOptions& options);
 struct PovAssets {
   PovSpace space;
   std::map<std::string, std::string> includes;  ///< file name -> SDL text
-  std::map<std::string, Image8> images;         ///< file name (.png) -> pixels
+  std::map<std::string, PovImage> images;       ///< file name (.png) -> where its pixels come from
   std::vector<std::string> warnings;            ///< what has no exact counterpart in POV-Ray
 };
 /// Throws Error for a scene without triangles.

@@ -33,6 +33,7 @@ struct PovrayImage {
   double cpu_seconds = 0;
   std::string log;  ///< what POV-Ray said on its error stream
   std::vector<std::string> arguments;
+  std::vector<std::string> warnings;  ///< about the image
 };
 
 /// The arguments that decide the image (for cache keys): without paths.
@@ -40,7 +41,7 @@ std::vector<std::string> povray_arguments(const PovrayRun& run);
 
 /// Runs POV-Ray with one thread in a working directory of its own. Throws Error (with the last lines of its
 /// error stream) for a non-zero exit, a signal, the timeout, an exit 0 without an image, and NaN in the
-/// image.
+/// image. What is too bright for the half floats that POV-Ray writes is clamped, with a warning.
 PovrayImage run_povray(const PovrayRun& run);
 
 }  // namespace lightbench

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/file_clashes.h"
 #include "base/image_io.h"
 #include "reports/difference_image.h"
 
@@ -59,24 +60,23 @@ std::vector<std::string> chosen_metrics(const CompareOptions& options) {
   return names;
 }
 
-/// Before anything is computed: an output must not replace what is compared.
-void check_output(const path& output, const CompareOptions& options) {
-  if (output.empty()) return;
-  if (output.extension() != ".png")
-    throw Error("the name of a picture to write must end in .png", output.string());
-  for (const path& input : {options.reference, options.image, options.baseline, options.mask}) {
-    std::error_code not_there;
-    if (!input.empty() && std::filesystem::equivalent(output, input, not_there))
-      throw Error("this file is compared and would be overwritten", output.string());
-  }
+void check_files(const CompareOptions& options) {
+  const NamedFile outputs[] = {{"the difference image", options.difference}, {"the heat map", options.heat}};
+  const NamedFile inputs[] = {{"the reference", options.reference},
+                              {"the image", options.image},
+                              {"the baseline", options.baseline},
+                              {"the mask", options.mask}};
+  for (const NamedFile& output : outputs)
+    if (!output.path.empty() && output.path.extension() != ".png")
+      throw Error("the name of a picture to write must end in .png", output.path.string());
+  check_outputs(outputs, inputs);
 }
 
 }  // namespace
 
 CompareResult compare_files(const CompareOptions& options) {
   const std::vector<std::string> names = chosen_metrics(options);
-  check_output(options.difference, options);
-  check_output(options.heat, options);
+  check_files(options);
 
   const Image8 reference_file = read_image_srgb8(options.reference);
   const Image8 reference = colors(reference_file);

@@ -30,8 +30,8 @@ struct CompareResult {
 
 /// Compares on the 0..255 scale of 8-bit sRGB. A mask file counts where its alpha is at least one half; one
 /// whose alpha is 1 everywhere, or that has none, counts where a colour component is not 0. Throws Error for
-/// a missing or broken file, NaN or infinity in one, sizes that differ, an unknown metric, and an output that
-/// is no PNG or one of the inputs.
+/// a missing or broken file, NaN or infinity in one, sizes that differ, an unknown metric, an output that is
+/// no PNG or one of the inputs, and outputs that are one file.
 CompareResult compare_files(const CompareOptions& options);
 
 }  // namespace lightbench

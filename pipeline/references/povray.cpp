@@ -38,7 +38,8 @@ class PovExport : public SceneExport {
  public:
   explicit PovExport(const Scene& scene) : scene_(scene), assets_(pov_assets(scene)) {
     for (const auto& [name, text] : assets_.includes) parts_.emplace_back("shared " + name, hash_bytes(text));
-    for (const auto& [name, image] : assets_.images) parts_.emplace_back("shared " + name, image_hash(image));
+    for (const auto& [name, image] : assets_.images)
+      parts_.emplace_back("shared " + name, image_hash(pov_image(scene_, image)));
   }
 
   KeyParts key_parts(const ReferenceRequest& request) const override {
@@ -55,13 +56,16 @@ class PovExport : public SceneExport {
 
   std::vector<std::string> warnings() const override { return assets_.warnings; }
 
-  std::vector<std::string> write_shared(const std::filesystem::path& folder) const override {
+  std::vector<std::string> shared_files() const override {
     std::vector<std::string> names;
-    for (const auto& [name, text] : assets_.includes) write_file_atomic(folder / name, text);
     for (const auto& [name, text] : assets_.includes) names.push_back(name);
-    for (const auto& [name, image] : assets_.images) write_png(folder / name, image);
     for (const auto& [name, image] : assets_.images) names.push_back(name);
     return names;
+  }
+
+  void write_shared(const std::filesystem::path& folder) const override {
+    for (const auto& [name, text] : assets_.includes) write_file_atomic(folder / name, text);
+    for (const auto& [name, image] : assets_.images) write_png(folder / name, pov_image(scene_, image));
   }
 
   void write_view(const ReferenceRequest& request, const std::filesystem::path& stem) const override {
@@ -110,10 +114,12 @@ ReferenceImage run_povray_reference(const ReferenceRequest& request, const Expor
     PovrayImage made = run_povray(run);
     result.seconds += made.seconds;
     result.cpu_seconds += made.cpu_seconds;
-    if (suffix == kViewSuffix)
+    if (suffix == kViewSuffix) {
       result.image = std::move(made.image);
-    else
+      result.warnings = std::move(made.warnings);
+    } else {
       result.noise = mean_difference(result.image, made.image);
+    }
   }
   return result;
 }

@@ -23,7 +23,7 @@ inline Image povray_image(const Scene& scene, const PovAssets& assets, const Vie
                           const FrameRequest& frame) {
   const TemporaryFolder folder;
   for (const auto& [name, text] : assets.includes) write_file_atomic(folder.path() / name, text);
-  for (const auto& [name, image] : assets.images) write_png(folder.path() / name, image);
+  for (const auto& [name, image] : assets.images) write_png(folder.path() / name, pov_image(scene, image));
   PovOptions options;
   options.radiosity = false;
   PovrayRun run;

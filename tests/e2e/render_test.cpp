@@ -49,6 +49,32 @@ TEST_F(GlRender, UnwritableOutputIsAnError) {
   EXPECT_THAT(result.err, HasSubstr("/proc/a.png"));
 }
 
+TEST_F(GlRender, NeverOverwritesWhatItReads) {
+  const std::string before = read_file(path("box.mtl"));
+  write("box.mtl", before + "map_Kd box.albedo.png\n");
+  write_png(path("box.albedo.png"), Image8(4, 4, 3, 128));
+  const std::string texture = read_file(path("box.albedo.png"));
+  for (const std::vector<std::string>& output :
+       {std::vector<std::string>{"-o", "./box.albedo.png"}, {"-o", "box.png", "--buffers", "albedo"}}) {
+    std::vector<std::string> arguments = {"render",       "scene.json", "--cameras",
+                                          "cameras.json", "--size",     "32x24"};
+    arguments.insert(arguments.end(), output.begin(), output.end());
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_THAT(result.err, HasSubstr("a file of the scene would be overwritten by"));
+    EXPECT_EQ(read_file(path("box.albedo.png")), texture);
+  }
+}
+
+TEST_F(GlRender, LightBeyondHalfFloatsIsClampedWithAWarning) {
+  write("box.mtl", "newmtl grey\nKd 0.6 0.5 0.4\nKe 1e6 1 1\n");
+  const auto result =
+      run({"render", "scene.json", "--cameras", "cameras.json", "--size", "32x24", "-o", "a.exr"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("beyond 65504"));
+  EXPECT_EQ(read_image(path("a.exr")).pixel(16, 12)[0], kLargestHalf);
+}
+
 class PovrayRun : public test::Program {};
 
 TEST_F(PovrayRun, DirectLightAgreesWithPovray) {

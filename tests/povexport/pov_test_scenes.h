@@ -61,12 +61,13 @@ inline PovOptions direct_options() {
   return options;
 }
 
-inline PovrayImage render_text(const std::string& text, const PovAssets& assets, int width, int height,
-                               int samples = 1) {
+inline PovrayImage render_text(const std::string& text, const Scene& scene, const PovAssets& assets,
+                               int width, int height, int samples = 1) {
   const TemporaryFolder folder("pov-test");
   for (const auto& [name, include] : assets.includes)
     write_file_atomic(folder.path() / "lib" / name, include);
-  for (const auto& [name, image] : assets.images) write_png(folder.path() / "lib" / name, image);
+  for (const auto& [name, image] : assets.images)
+    write_png(folder.path() / "lib" / name, pov_image(scene, image));
   write_file_atomic(folder.path() / "view.pov", text);
   std::filesystem::create_directories(folder.path() / "lib");
   PovrayRun run;
@@ -84,7 +85,7 @@ inline Image render(const Scene& scene, const Camera& camera, const PovOptions& 
                     int width = 32, int height = 32, int samples = 1) {
   const PovAssets assets = pov_assets(scene);
   const std::string text = pov_view(scene, assets, camera, double(width) / height, options);
-  return render_text(text, assets, width, height, samples).image;
+  return render_text(text, scene, assets, width, height, samples).image;
 }
 
 /// What a half float can lose of a value below 2.

@@ -178,6 +178,13 @@ TEST_F(Compare, NeverOverwritesWhatItCompares) {
   EXPECT_EQ(read_file(a), before);
 }
 
+TEST_F(Compare, BothPicturesNeedFilesOfTheirOwn) {
+  const auto a = png("a.png", pattern(2, 2, 1));
+  EXPECT_THAT(error({.reference = a, .image = a, .difference = file("z.png"), .heat = file("./z.png")}),
+              HasSubstr("the difference image and the heat map would be one file"));
+  EXPECT_FALSE(std::filesystem::exists(file("z.png")));
+}
+
 TEST_F(Compare, OutputsArePng) {
   const auto a = png("a.png", pattern(2, 2, 1));
   EXPECT_THAT(error({.reference = a, .image = a, .heat = file("h.jpg")}), HasSubstr(".png"));
