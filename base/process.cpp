@@ -1,6 +1,8 @@
 #include "base/process.h"
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <ctime>
 #include <list>
 #include <optional>
@@ -9,6 +11,7 @@
 #include <boost/asio.hpp>
 #include <boost/process.hpp>
 #include <boost/process/extend.hpp>
+#include <boost/process/posix.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <linux/close_range.h>
@@ -18,6 +21,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/descriptors.h"
 #include "base/error.h"
 #include "base/stopwatch.h"
 
@@ -64,9 +68,21 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
 /// Runs in the child before it becomes the program.
 void prepare_child() {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::signal(SIGPIPE, SIG_DFL);  // which this program ignores
   // The pipes of other children would keep those from ending.
   if (::close_range(3, ~0U, CLOSE_RANGE_CLOEXEC) == 0) return;
   for (int descriptor = 3; descriptor < 1024; ++descriptor) ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);
+}
+
+/// Not a pipe: that would have to be filled while the child works, and would end us where it does not read.
+Descriptor input_of(const ProcessOptions& options) {
+  return options.input.empty() ? Descriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC))
+                               : file_in_memory(options.input);
+}
+
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
 }
 
 void keep_last(std::string& text, std::size_t limit) {
@@ -100,6 +116,7 @@ struct ProcessLoop::Impl {
     asio::steady_timer timer, idle_timer, kill_timer, drain_timer;
     std::array<char, 4096> out_block{}, err_block{};
     std::string partial_line;
+    std::size_t longest_line = 0;
     bp::child child;
     bp::group group;
     LineHandler on_line;
@@ -124,6 +141,7 @@ struct ProcessLoop::Impl {
   void start(const ProcessOptions& options, LineHandler on_line, ExitHandler on_exit);
   void read(JobIterator job, bool is_out);
   void take_output(JobIterator job, bool is_out, std::string_view bytes);
+  static void add_to_line(Job& job, std::string_view bytes);
   void wait_for_children();
   void reap();
   void finish_if_drained(JobIterator job);
@@ -147,13 +165,18 @@ void ProcessLoop::Impl::start(const ProcessOptions& options, LineHandler on_line
   const std::string folder = options.working_directory.empty() ? std::filesystem::current_path().string()
                                                                : options.working_directory.string();
 
+  const Descriptor input = input_of(options);
+  if (!input)
+    throw Error(fmt::format("cannot be given its input: {}", std::strerror(errno)), program.string());
+
   const auto job = jobs.emplace(jobs.end(), io, std::move(on_line), std::move(on_exit));
   job->keep_output = options.keep_output;
+  job->longest_line = options.longest_line;
   try {
     job->child = bp::child(
         bp::exe = program.string(), bp::args = arguments, bp::start_dir = folder,
-        bp::std_in<bp::null, bp::std_out> job->out, bp::std_err > job->err, job->group,
-        bp::extend::on_setup = [&](auto& executor) { executor.env = environment.data(); },
+        bp::posix::fd.bind(STDIN_FILENO, input.number()), bp::std_out > job->out, bp::std_err > job->err,
+        job->group, bp::extend::on_setup = [&](auto& executor) { executor.env = environment.data(); },
         bp::extend::on_exec_setup = [](auto&) { prepare_child(); });
   } catch (const bp::process_error& error) {
     jobs.erase(job);
@@ -203,13 +226,15 @@ void ProcessLoop::Impl::take_output(JobIterator job, bool is_out, std::string_vi
   kept += bytes;
   keep_last(kept, job->keep_output);
   if (!is_out || !job->on_line) return;
-  job->partial_line += bytes;
-  std::size_t end;
-  while ((end = job->partial_line.find('\n')) != std::string::npos) {
-    const std::string line = job->partial_line.substr(0, end);
-    job->partial_line.erase(0, end + 1);
-    job->on_line(line);
+  for (std::size_t end; (end = bytes.find('\n')) != std::string_view::npos; bytes.remove_prefix(end + 1)) {
+    add_to_line(*job, bytes.substr(0, end));
+    job->on_line(std::exchange(job->partial_line, ""));
   }
+  add_to_line(*job, bytes);
+}
+
+void ProcessLoop::Impl::add_to_line(Job& job, std::string_view bytes) {
+  job.partial_line += bytes.substr(0, job.longest_line - job.partial_line.size());
 }
 
 void ProcessLoop::Impl::wait_for_children() {
@@ -285,7 +310,9 @@ void ProcessLoop::Impl::tick(std::list<asio::steady_timer>::iterator timer,
 
 void ProcessLoop::Impl::run() {
   if (jobs.empty()) return;
-  stop_signals.emplace(io, SIGINT, SIGTERM, SIGHUP);
+  stop_signals.emplace(io);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (!is_ignored(signal)) stop_signals->add(signal);
   stop_signals->async_wait([this](const boost::system::error_code& error, int signal) {
     if (error) return;
     stop_signal = signal;

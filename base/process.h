@@ -18,10 +18,12 @@ struct ProcessOptions {
   std::vector<std::string> argv;              ///< argv[0] is looked up on the PATH unless it has a slash
   std::filesystem::path working_directory{};  ///< empty: ours
   std::map<std::string, std::string> environment{};  ///< added to ours
+  std::string input{};                               ///< what it reads from its standard input
   std::chrono::milliseconds timeout{0};              ///< 0: none; at the end TERM, and KILL 2 s later
   std::chrono::milliseconds idle_timeout{
-      0};                             ///< 0: none; likewise, once it used no processor time for so long
-  std::size_t keep_output = 1 << 20;  ///< last bytes kept of each stream
+      0};                               ///< 0: none; likewise, once it used no processor time for so long
+  std::size_t keep_output = 1 << 20;    ///< last bytes kept of each stream
+  std::size_t longest_line = 16 << 20;  ///< what stands behind so many bytes of a line is left out
 };
 
 struct ProcessResult {
@@ -55,7 +57,8 @@ class ProcessLoop {
   void start(const ProcessOptions& options, LineHandler on_line, ExitHandler on_exit);
   /// Calls `tick` at the interval for as long as `run` runs.
   void every(std::chrono::milliseconds interval, const std::function<void()>& tick);
-  /// Returns when no child is left. On INT, TERM or HUP all children are terminated and `interrupted` is set.
+  /// Returns when no child is left. On INT, TERM or HUP all children are terminated and `interrupted` is set;
+  /// those of them that the process ignores (nohup, a background job of a shell) stay ignored.
   void run();
   bool interrupted() const;
   /// TERM to every child's group, KILL 2 s later.

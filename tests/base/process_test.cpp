@@ -100,6 +100,52 @@ TEST(ProcessLoop, HandsOverLinesAndStartsFurtherChildren) {
   EXPECT_THAT(lines, ElementsAre("one", "two", "three"));
 }
 
+TEST(Process, InputIsReadToItsEnd) {
+  const std::string megabytes(5'000'000, 'x');
+  auto options = shell("cat; echo; cat | wc -c");
+  options.input = megabytes;
+  options.keep_output = 10'000'000;
+  EXPECT_EQ(run_process(options).out, megabytes + "\n0\n");
+  EXPECT_EQ(run_process(shell("wc -c")).out, "0\n");
+}
+
+TEST(Process, AChildNeedNotReadItsInput) {
+  auto options = shell("exit 3");
+  options.input = std::string(5'000'000, 'x');
+  EXPECT_EQ(run_process(options).exit_code, 3);
+}
+
+TEST(ProcessLoop, OfALineThatIsTooLongOnlyTheStartIsHandedOver) {
+  ProcessLoop loop;
+  std::vector<std::string> lines;
+  auto options = shell("head -c 1000000 /dev/zero | tr '\\0' x; echo; echo next; printf unfinished");
+  options.longest_line = 1000;
+  loop.start(
+      options, [&](std::string_view line) { lines.emplace_back(line); }, nullptr);
+  loop.run();
+  EXPECT_THAT(lines, ElementsAre(std::string(1000, 'x'), "next"));
+}
+
+TEST(ProcessLoop, SignalsThatWeIgnoreStayIgnored) {
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+    const auto before = std::signal(signal, SIG_IGN);
+    ProcessLoop loop;
+    const TemporaryFolder folder;
+    auto options = shell("while [ ! -e raised ]; do sleep 0.01; done");
+    options.working_directory = folder.path();
+    ProcessResult result;
+    loop.start(options, nullptr, [&](const ProcessResult& r) { result = r; });
+    loop.every(10ms, [&] {
+      std::raise(signal);
+      write_file_atomic(folder.path() / "raised", "");
+    });
+    loop.run();
+    EXPECT_FALSE(loop.interrupted());
+    EXPECT_TRUE(result.ok()) << result.describe();
+    EXPECT_EQ(std::signal(signal, before), SIG_IGN);
+  }
+}
+
 TEST(ProcessLoop, ChildrenRunSideBySide) {
   const TemporaryFolder folder;
   ProcessLoop loop;
