@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/hash.h"
+#include "base/json_bytes.h"
 #include "base/json_reader.h"
 #include "renderer/path_tracer.h"
 #include "renderer/radiance/bake_settings.h"
@@ -29,7 +30,7 @@ BakeFolder bake_folder(const Scene& scene, const ParamValues& params) {
   Hasher hasher;
   hasher.field("version", std::int64_t{kBakeVersion});
   hasher.field("embree", path_tracer_version());
-  for (const auto& file : scene.files) hasher.field(file.filename().string(), hash_file(file));
+  for (const auto& file : scene.files) hasher.field(file.path.filename().string(), file.hash);
   hasher.field("parameters", bake_params_text(params));
   BakeFolder bake{hasher.digest(), {}};
   for (const ParamSpec& row : bake_params()) bake.params[row.name] = params.all().at(row.name);
@@ -39,7 +40,7 @@ BakeFolder bake_folder(const Scene& scene, const ParamValues& params) {
 void write_bake_folder(const std::filesystem::path& folder, const BakeFolder& bake) {
   nlohmann::ordered_json json = {{"format", kFormat}, {"key", bake.key}};
   for (const auto& [name, value] : bake.params) json["params"][name] = to_json(value);
-  write_file_atomic(file_in(folder), json.dump(1) + "\n");
+  write_file_atomic(file_in(folder), json_text(json, 1) + "\n");
 }
 
 BakeFolder read_bake_folder(const std::filesystem::path& folder) {

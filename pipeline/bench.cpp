@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "base/json_bytes.h"
 #include "pipeline/concrete.h"
 #include "pipeline/plan.h"
 #include "pipeline/selection.h"
@@ -96,7 +97,8 @@ std::vector<TimedView> timed_views(const Job& job, const JobScene& scene, const 
     std::copy_if(job.variants.begin(), job.variants.end(), std::back_inserter(variants),
                  [&](const JobVariant& variant) {
                    const std::string label = fmt::format("{}/{}/{}", scene.name, view.name, variant.name);
-                   return !find_technique(variant.technique, "").offline && is_selected(label, only);
+                   const Technique& technique = find_technique(variant.technique, "");
+                   return !technique.offline && !technique.external && is_selected(label, only);
                  });
     if (!variants.empty()) timed.push_back({view, std::move(variants)});
   }
@@ -180,7 +182,7 @@ std::string bench_json(const Job& job, const std::vector<BenchRow>& rows, int ro
                                 {"upper_quartile", time.upper}});
     json["rows"].push_back(std::move(item));
   }
-  return json.dump(2) + "\n";
+  return json_text(json, 2) + "\n";
 }
 
 }  // namespace lightbench

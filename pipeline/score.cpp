@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/image_io.h"
+#include "base/json_bytes.h"
 #include "reports/ambient_fit.h"
 
 namespace lightbench {
@@ -48,6 +49,7 @@ Score compute_score(const ScoreRequest& request) {
   score.reference = first_channels(reference, 3);
   score.image = first_channels(read_image_srgb8(request.image), 3);
   check_pair(score.reference, score.image, request.reference.string(), request.image.string());
+  score.identical = score.image == score.reference;
   if (!request.baseline.empty()) {
     score.baseline = first_channels(read_image_srgb8(request.baseline), 3);
     check_pair(score.reference, score.baseline, request.reference.string(), request.baseline.string());
@@ -90,7 +92,7 @@ std::string score_json(const Score& score) {
     else
       json["metrics"][name] = {{"undefined", value.undefined_because}};
   }
-  return json.dump(2) + "\n";
+  return json_text(json, 2) + "\n";
 }
 
 }  // namespace lightbench
