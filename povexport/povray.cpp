@@ -1,10 +1,13 @@
 #include "povexport/povray.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <locale>
 #include <regex>
 #include <sstream>
 
+#include <fmt/format.h>
 #include <glm/vec3.hpp>
 
 #include "base/color.h"
@@ -13,6 +16,7 @@
 #include "base/image_io.h"
 #include "base/process.h"
 #include "base/text.h"
+#include "base/utf8.h"
 
 namespace lightbench {
 namespace {
@@ -24,14 +28,6 @@ constexpr const char* kImageName = "image.exr";
 /// Neither the user's nor the system's settings of POV-Ray take part: they are looked for in HOME and POVINI.
 std::map<std::string, std::string> environment(const std::filesystem::path& folder) {
   return {{"HOME", folder.string()}, {"POVINI", (folder / "empty.ini").string()}, {"LC_ALL", "C"}};
-}
-
-std::string last_lines(const std::string& text, std::size_t count) {
-  std::vector<std::string> lines;
-  for (const std::string& line : split(text, '\n'))
-    if (!trimmed(line).empty()) lines.push_back(trimmed(line));
-  if (lines.size() > count) lines.erase(lines.begin(), lines.end() - std::ptrdiff_t(count));
-  return join(lines, "\n");
 }
 
 /// What POV-Ray says about the scene: of the first "File 'scene.pov' line 7: Parse Error: ..." the words that
@@ -47,9 +43,22 @@ std::string parse_error(const std::string& log) {
   return "";
 }
 
+/// "3.7.0" of "... POV-Ray 3.7.0 ...". Not std::regex, which recurses with the length of its input.
+std::string version_in(std::string_view said) {
+  constexpr std::string_view kName = "POV-Ray ";
+  constexpr std::size_t kLongest = 100;
+  for (std::size_t at = 0; (at = said.find(kName, at)) != std::string_view::npos;) {
+    at += kName.size();
+    const std::string_view version = said.substr(at, said.find_first_of(" \t\r\n", at) - at);
+    if (!version.empty() && version[0] >= '0' && version[0] <= '9' && version.size() <= kLongest)
+      return clean_utf8(version);
+  }
+  return "";
+}
+
 [[noreturn]] void fail(const std::string& what, const PovrayRun& run, const std::string& log) {
   const std::string parse = parse_error(log);
-  const std::string reason = parse.empty() ? last_lines(log, 12) : parse;
+  const std::string reason = parse.empty() ? join(last_lines(log, 12), "\n") : parse;
   throw Error("povray " + what + (reason.empty() ? "" : ":\n" + reason), run.scene_file.string());
 }
 
@@ -75,18 +84,33 @@ ProcessOptions process_of(const PovrayRun& run, const std::filesystem::path& fol
 
 Image read_result(const std::filesystem::path& file, const PovrayRun& run, const std::string& log) {
   if (!std::filesystem::exists(file)) fail("ended without an error, yet wrote no image", run, log);
-  const Image image = read_float_image(file);
+  Image image = read_float_image(file);
   if (image.width != run.width * run.samples || image.height != run.height * run.samples ||
       image.channels != 4)
     fail("wrote an image of another size or without alpha", run, log);
-  const std::ptrdiff_t bad = first_non_finite(image);
-  if (bad >= 0) {
-    const std::ptrdiff_t pixel = bad / image.channels;
-    fail("wrote NaN or infinity at pixel " + std::to_string(pixel % image.width) + ", " +
+  const auto bad = std::ranges::find_if(image.data, [](float value) { return std::isnan(value); });
+  if (bad != image.data.end()) {
+    const std::ptrdiff_t pixel = (bad - image.data.begin()) / image.channels;
+    fail("wrote NaN at pixel " + std::to_string(pixel % image.width) + ", " +
              std::to_string(pixel / image.width),
          run, "");
   }
   return image;
+}
+
+/// POV-Ray writes halves, in which what is too bright for them is infinite. Returns warnings.
+std::vector<std::string> clamp_infinite(Image& image) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < image.data.size(); ++i) {
+    if (!std::isinf(image.data[i])) continue;
+    image.data[i] = std::copysign(kLargestHalf, image.data[i]);
+    ++count;
+  }
+  if (count == 0) return {};
+  return {
+      fmt::format("{} of {} numbers that POV-Ray wrote are beyond {:.0f}, the largest 16-bit float, and "
+                  "count as that",
+                  count, image.data.size(), kLargestHalf)};
 }
 
 /// The colour that the scene file declares as Background; black if it declares none.
@@ -134,10 +158,8 @@ std::string povray_version(const std::filesystem::path& program) {
   process.environment = environment(folder.path());
   process.timeout = std::chrono::seconds(20);
   const ProcessResult result = run_process(process);
-  static const std::regex pattern(R"(POV-Ray (\d[^\s]*))");
-  std::smatch match;
-  const std::string said = result.out + "\n" + result.err;
-  if (std::regex_search(said, match, pattern)) return match[1].str();
+  const std::string version = version_in(result.out + "\n" + result.err);
+  if (!version.empty()) return version;
   throw Error("does not say its version (" + result.describe() + "); is it POV-Ray 3.7?", program.string());
 }
 
@@ -169,9 +191,10 @@ PovrayImage run_povray(const PovrayRun& run) {
   if (log.find("No objects in scene") != std::string::npos)
     fail("found no objects: the scene is empty", run, "");
   Image image = read_result(folder.path() / kImageName, run, log);
+  PovrayImage rendered;
+  rendered.warnings = clamp_infinite(image);
   put_over_background(image, declared_background(run.scene_file));
 
-  PovrayImage rendered;
   rendered.image = run.samples > 1 ? box_downsample(image, run.samples) : std::move(image);
   rendered.seconds = result.seconds;
   rendered.cpu_seconds = result.cpu_seconds;

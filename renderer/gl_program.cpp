@@ -1,30 +1,16 @@
 #include "renderer/gl_program.h"
 
-#include <regex>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "renderer/shader_log.h"
 #include "renderer/shader_source.h"
 
 namespace lightbench {
 namespace {
-
-// "2:17" (Mesa) or "2(17)" (NVIDIA) at the start of a message becomes the file's name and the line.
-std::string with_file_names(const std::string& log, const std::vector<std::string>& files) {
-  static const std::regex kPlace(R"((^|\n)(?:ERROR: |WARNING: )?(\d+)[:(](\d+)\)?)");
-  std::string result;
-  auto from = log.cbegin();
-  for (std::sregex_iterator it(log.begin(), log.end(), kPlace), end; it != end; ++it) {
-    const std::size_t number = std::stoul((*it)[2]);
-    result.append(from, (*it)[0].first).append((*it)[1]);
-    result += (number < files.size() ? files[number] : (*it)[2].str()) + ":" + (*it)[3].str();
-    from = (*it)[0].second;
-  }
-  return result.append(from, log.cend());
-}
 
 GLuint compile(GLenum stage, const std::string& name, const ShaderDefines& defines) {
   const NumberedShader source = numbered_shader_source(name);

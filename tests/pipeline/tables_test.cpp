@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/references.h"
-#include "pipeline/runners/local_runner.h"
 #include "renderer/technique.h"
 #include "reports/metric.h"
 
@@ -46,11 +45,6 @@ TEST(Tables, ANameWithBracketsMatchesItself) {
   EXPECT_TRUE(matches_name("isr[samples=24]", "isr[samples=24]"));
   EXPECT_TRUE(matches_name("isr[samples=24]", "isr*"));
   EXPECT_FALSE(matches_name("isr", "direct"));
-}
-
-TEST(LastLines, KeepsTheEndWithoutEmptyLines) {
-  EXPECT_EQ(last_lines("one\ntwo\n\n  three \n", 2), "two | three");
-  EXPECT_EQ(last_lines("", 2), "");
 }
 
 }  // namespace

@@ -96,6 +96,18 @@ TEST(FakePovray, NanIsAFailureThatNamesThePixel) {
   EXPECT_THAT(fake.error(), HasSubstr("pixel 1, 0"));
 }
 
+TEST(FakePovray, WhatIsTooBrightForHalvesIsClampedWithAWarning) {
+  const TemporaryFolder folder;
+  Image image(2, 2, 4, 0.5f);
+  image.pixel(1, 0)[2] = INFINITY;
+  write_exr(folder.path() / "bright.exr", image, PixelType::half);
+  const FakePovray fake("cp " + (folder.path() / "bright.exr").string() + " image.exr");
+  const PovrayImage made = run_povray(fake.run());
+  EXPECT_EQ(made.image.pixel(1, 0)[2], kLargestHalf);
+  ASSERT_EQ(made.warnings.size(), 1u);
+  EXPECT_THAT(made.warnings.front(), HasSubstr("1 of 16 numbers"));
+}
+
 TEST(FakePovray, UserSettingsTakeNoPart) {
   const FakePovray fake(
       "[ \"$POVINI\" = \"$HOME/empty.ini\" ] && [ \"$HOME\" = \"$PWD\" ] && echo alone >&2; exit 1");
@@ -122,6 +134,16 @@ TEST(FakePovray, TheVersionIsRead) {
   EXPECT_EQ(povray_version(fake.file()), "3.7.0.10.unofficial");
 }
 
+TEST(FakePovray, AnAnswerOfOneLongLineIsNoTrouble) {
+  const std::string long_line = "head -c 10000000 /dev/zero | tr '\\0' x";
+  const FakePovray never_ends("printf 'POV-Ray 3'; " + long_line);
+  EXPECT_THROW(povray_version(never_ends.file()), Error);
+  const FakePovray says_it_at_last(long_line + "; echo; echo 'POV-Ray 3.7.0'");
+  EXPECT_EQ(povray_version(says_it_at_last.file()), "3.7.0");
+  const FakePovray fails(long_line + " >&2; exit 1");
+  EXPECT_LE(fails.error().size(), 2000u);
+}
+
 TEST(FakePovray, AnotherProgramIsNotPovray) {
   EXPECT_THROW(povray_version(FakePovray("echo hello").file()), Error);
 }
@@ -145,7 +167,7 @@ TEST(PovrayArguments, HoldNoPaths) {
 
 TEST(PovrayRunner, AMissingBraceIsToldWithItsLine) {
   try {
-    render_text("#version 3.7;\nsphere{0,1\n", {}, 4, 4);
+    render_text("#version 3.7;\nsphere{0,1\n", {}, {}, 4, 4);
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("scene.pov:"));
@@ -153,12 +175,12 @@ TEST(PovrayRunner, AMissingBraceIsToldWithItsLine) {
 }
 
 TEST(PovrayRunner, AnEmptySceneIsAFailure) {
-  EXPECT_THROW(render_text("#version 3.7;\nglobal_settings{assumed_gamma 1}\n", {}, 4, 4), Error);
+  EXPECT_THROW(render_text("#version 3.7;\nglobal_settings{assumed_gamma 1}\n", {}, {}, 4, 4), Error);
 }
 
 TEST(PovrayRunner, AMissingIncludeIsToldByName) {
   try {
-    render_text("#version 3.7;\n#include \"absent.inc\"\n", {}, 4, 4);
+    render_text("#version 3.7;\n#include \"absent.inc\"\n", {}, {}, 4, 4);
     FAIL() << "no error";
   } catch (const Error& error) {
     EXPECT_THAT(error.what(), HasSubstr("absent.inc"));
