@@ -1,5 +1,6 @@
 #include "pipeline/ledger.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <chrono>
@@ -10,10 +11,12 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/error.h"
-#include "base/files.h"
+#include "base/input_file.h"
+#include "base/json_bytes.h"
 
 namespace lightbench {
 namespace {
@@ -30,7 +33,7 @@ std::string line_of(const LedgerEntry& entry) {
   json["parts"] = Json::array();
   for (const auto& [name, value] : entry.key_parts) json["parts"].push_back({name, value});
   if (entry.outcome == Outcome::ok) json["result"] = to_json(entry.result);
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json) + "\n";
 }
 
 LedgerEntry entry_of(const Json& json, const std::string& where) {
@@ -53,6 +56,45 @@ LedgerEntry entry_of(const Json& json, const std::string& where) {
   throw Error(fmt::format("{}: {}", what, std::strerror(errno)), file.string());
 }
 
+/// Opens what a run may append to. Neither a link nor a pipe or device without a reader holds us up.
+Descriptor open_ledger(const std::filesystem::path& file, LedgerUse use) {
+  const int how = use == LedgerUse::append ? O_RDWR | O_CREAT | O_APPEND : O_RDONLY;
+  Descriptor descriptor(::open(file.c_str(), how | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0644));
+  if (!descriptor && errno == ELOOP)
+    throw Error("is a link; a ledger must be a file of its own", file.string());
+  if (!descriptor && use == LedgerUse::read && errno == ENOENT) return descriptor;
+  if (!descriptor) fail(file, use == LedgerUse::append ? "cannot be written" : "cannot be read");
+  struct stat status {};
+  if (::fstat(descriptor.number(), &status) != 0) fail(file, "cannot be read");
+  if (!S_ISREG(status.st_mode)) throw Error("is not a regular file, as a ledger must be", file.string());
+  if (std::uint64_t(status.st_size) > kLargestOwnFile)
+    throw Error("is larger than any ledger of a run: " + bytes_text(std::uint64_t(status.st_size)),
+                file.string());
+  if (use == LedgerUse::append && status.st_nlink > 1)
+    throw Error("has a second name (a hard link), under which it would change too; make it a copy of its own",
+                file.string());
+  return descriptor;
+}
+
+std::string read_all(const Descriptor& descriptor, const std::filesystem::path& file) {
+  std::string text;
+  std::string block(1 << 16, '\0');
+  for (;;) {
+    const ssize_t count = ::pread(descriptor.number(), block.data(), block.size(), off_t(text.size()));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(file, "cannot be read");
+    if (count == 0) return text;
+    text.append(block, 0, std::size_t(count));
+  }
+}
+
+/// Whether a run that was killed at its first line may have left this.
+bool is_start_of_line(std::string_view text) {
+  const std::string start = fmt::format("{{\"v\":{},\"id\":\"", kLedgerVersion);
+  const std::size_t common = std::min(text.size(), start.size());
+  return text.substr(0, common) == start.substr(0, common);
+}
+
 }  // namespace
 
 std::string utc_now() {
@@ -60,57 +102,42 @@ std::string utc_now() {
 }
 
 Ledger::Ledger(const std::filesystem::path& file, LedgerUse use) : file_(file) {
-  std::error_code error;
-  if (use == LedgerUse::read) {
-    if (std::filesystem::exists(file, error)) read();
-    return;
+  if (use == LedgerUse::append) {
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    if (error) throw Error("cannot make the folder: " + error.message(), file.parent_path().string());
   }
-  std::filesystem::create_directories(file.parent_path(), error);
-  if (error) throw Error("cannot make the folder: " + error.message(), file.parent_path().string());
-  descriptor_ = open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
-  if (descriptor_ < 0) fail(file, "cannot be written");
-  try {
-    if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0)
-      throw Error("another run is working in this folder", file.parent_path().string());
-    if (ftruncate(descriptor_, off_t(read())) != 0) fail(file, "cannot be written");
-  } catch (...) {
-    close(descriptor_);
-    throw;
-  }
-}
-
-Ledger::~Ledger() {
-  if (descriptor_ >= 0) close(descriptor_);
+  Descriptor descriptor = open_ledger(file, use);
+  if (!descriptor) return;
+  if (use == LedgerUse::append && ::flock(descriptor.number(), LOCK_EX | LOCK_NB) != 0)
+    throw Error("another run is working in this folder", file.parent_path().string());
+  const std::size_t whole = take_lines(read_all(descriptor, file));
+  if (use == LedgerUse::read) return;
+  if (::ftruncate(descriptor.number(), off_t(whole)) != 0) fail(file, "cannot be written");
+  descriptor_ = std::move(descriptor);
 }
 
 /// Takes in all whole lines; returns the bytes that they have.
-std::size_t Ledger::read() {
-  const std::string text = read_file(file_);
+std::size_t Ledger::take_lines(const std::string& text) {
+  const std::string_view all = text;
   std::size_t start = 0;
-  for (std::size_t number = 1;; ++number) {
-    const std::size_t end = text.find('\n', start);
-    if (end == std::string::npos) return start;
+  for (std::size_t number = 1, end; (end = all.find('\n', start)) != all.npos; start = end + 1, ++number) {
     const std::string where = fmt::format("{}:{}", file_.string(), number);
     try {
-      remember(entry_of(Json::parse(text.substr(start, end - start)), where));
+      remember(entry_of(parse_json_text(all.substr(start, end - start)), where));
     } catch (const nlohmann::json::exception&) {
       throw Error("is not a line of a ledger; remove the file to begin anew", where);
     }
-    start = end + 1;
   }
+  if (start == 0 && !is_start_of_line(all))
+    throw Error("is not a ledger; remove the file to begin anew", file_.string());
+  return start;
 }
 
 void Ledger::append(const LedgerEntry& entry) {
-  assert(descriptor_ >= 0);
-  const std::string line = line_of(entry);
-  std::size_t written = 0;
-  while (written < line.size()) {
-    const ssize_t count = write(descriptor_, line.data() + written, line.size() - written);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) fail(file_, "cannot be written");
-    written += std::size_t(count);
-  }
-  if (fsync(descriptor_) != 0) fail(file_, "cannot be synced");
+  assert(descriptor_);
+  if (!write_all(descriptor_, line_of(entry))) fail(file_, "cannot be written");
+  if (::fsync(descriptor_.number()) != 0) fail(file_, "cannot be synced");
   remember(entry);
 }
 

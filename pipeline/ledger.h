@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/descriptors.h"
 #include "pipeline/references.h"
 #include "pipeline/task_result.h"
 
@@ -30,12 +31,13 @@ enum class LedgerUse {
 /// A file of lines that are only ever appended, each synced to the disk.
 class Ledger {
  public:
-  /// Reads what is there. A last line that a killed run left unfinished is dropped. Throws Error where
-  /// another run appends to it, it cannot be written, or a line is not one of ours.
+  /// Reads what is there. A last line that a killed run left unfinished is dropped. Throws Error, and leaves
+  /// the file as it is, where another run appends to it, it cannot be written, it is not a regular file (a
+  /// link or a device, say), it has a second name (a hard link) under which it would change too, or it holds
+  /// anything but lines of ours.
   Ledger(const std::filesystem::path& file, LedgerUse use);
   Ledger(const Ledger&) = delete;
   Ledger& operator=(const Ledger&) = delete;
-  ~Ledger();
 
   void append(const LedgerEntry& entry);
   /// The last entry of each task, by id.
@@ -44,11 +46,11 @@ class Ledger {
   const std::map<std::string, LedgerEntry>& last_done() const { return last_done_; }
 
  private:
-  std::size_t read();
+  std::size_t take_lines(const std::string& text);
   void remember(const LedgerEntry& entry);
 
   std::filesystem::path file_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::map<std::string, LedgerEntry> last_;
   std::map<std::string, LedgerEntry> last_done_;
 };

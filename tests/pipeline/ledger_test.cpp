@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "base/error.h"
 #include "base/files.h"
@@ -85,6 +86,66 @@ TEST_F(LedgerFile, ALineThatIsNotOursIsAnErrorWithItsNumber) {
   } catch (const Error& error) {
     EXPECT_EQ(error.where(), file_.string() + ":2");
   }
+}
+
+/// Opening it is an error that has these words, and changes nothing of `file`.
+void expect_refused(const std::filesystem::path& ledger, const std::filesystem::path& file,
+                    const std::string& words) {
+  const std::string before = read_file(file);
+  try {
+    const Ledger taken(ledger, LedgerUse::append);
+    ADD_FAILURE() << "it was taken";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr(words));
+  }
+  EXPECT_EQ(read_file(file), before);
+}
+
+TEST_F(LedgerFile, AFirstLineThatWasLeftUnfinishedIsDropped) {
+  const std::string line = R"({"v":1,"id":"snapshot:)";
+  for (std::size_t length = 0; length <= line.size(); ++length) {
+    write_file_atomic(file_, line.substr(0, length));
+    EXPECT_TRUE(Ledger(file_, LedgerUse::append).last().empty());
+    EXPECT_EQ(read_file(file_), "");
+  }
+}
+
+TEST_F(LedgerFile, AFileOfAnotherProgramIsLeftAsItIs) {
+  for (const char* text :
+       {"my notes", "my notes\n", "my notes\nand more", "{\"v\":1,\"name\":1", "{}", " "}) {
+    write_file_atomic(file_, text);
+    expect_refused(file_, file_, "remove the file");
+  }
+}
+
+TEST_F(LedgerFile, ALinkIsNotFollowed) {
+  Ledger(folder_.path() / "other" / "ledger.jsonl", LedgerUse::append).append(entry("task", "key"));
+  std::filesystem::create_directory(file_.parent_path());
+  std::filesystem::create_symlink("../other/ledger.jsonl", file_);
+  expect_refused(file_, folder_.path() / "other" / "ledger.jsonl", "is a link");
+  EXPECT_THROW(Ledger(file_, LedgerUse::read), Error);
+}
+
+TEST_F(LedgerFile, AFileWithASecondNameIsRefused) {
+  Ledger(file_, LedgerUse::append).append(entry("task", "key"));
+  std::filesystem::create_hard_link(file_, folder_.path() / "copy.jsonl");
+  expect_refused(file_, file_, "second name");
+  EXPECT_EQ(Ledger(file_, LedgerUse::read).last().size(), 1u);
+}
+
+TEST_F(LedgerFile, APipeOrDeviceIsRefusedAndNotWaitedFor) {
+  std::filesystem::create_directory(file_.parent_path());
+  ASSERT_EQ(::mkfifo(file_.c_str(), 0600), 0);
+  EXPECT_THROW(Ledger(file_, LedgerUse::append), Error);
+  EXPECT_THROW(Ledger(file_, LedgerUse::read), Error);
+  EXPECT_THROW(Ledger("/dev/null", LedgerUse::append), Error);
+}
+
+TEST_F(LedgerFile, NamesOfFilesKeepTheirBytes) {
+  LedgerEntry with_bytes = entry("task", "key");
+  with_bytes.key_parts = {{"file Fen\xEAtre.png", "hash"}};
+  Ledger(file_, LedgerUse::append).append(with_bytes);
+  EXPECT_EQ(Ledger(file_, LedgerUse::read).last().at("task").key_parts, with_bytes.key_parts);
 }
 
 TEST_F(LedgerFile, ASecondRunIsKeptOut) {
