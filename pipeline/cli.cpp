@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
+#include <poll.h>
+#include <unistd.h>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/console.h"
 #include "pipeline/references.h"
 #include "pipeline/version.h"
 
@@ -22,7 +26,7 @@ const char* const kFooter = R"(Examples:
   lightbench list                               techniques, metrics, references, formats and their parameters
 
 Exit codes: 0 done, all gates met; 1 a gate was not met; 2 a task failed or was interrupted;
-            3 bad usage, a bad file or a missing tool; 4 a bug.
+            3 bad usage, a bad file or a missing tool; 4 a bug; 5 a gate was not judged.
 `lightbench COMMAND --help` says more about a command.)";
 
 std::string version_text() {
@@ -45,7 +49,7 @@ void add_commands(CLI::App& app, Action& action) {
        {add_run_command, add_oracle_command, add_plan_command, add_score_command, add_report_command,
         add_bench_command, add_bake_command, add_render_command, add_export_command, add_reference_command,
         add_compare_command, add_caustics_command, add_slicing_command, add_cameras_command,
-        add_scene_command, add_list_command, add_schema_command, add_work_command})
+        add_scene_command, add_list_command, add_schema_command, add_inspect_command, add_work_command})
     add(app, action);
 }
 
@@ -71,9 +75,19 @@ ExitCode run_command(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? ExitCode::ok : ExitCode::bad_input;
+    std::ostringstream out, err;
+    const int code = app.exit(error, out, err);
+    if (!out.str().empty()) say(out.str());
+    if (!err.str().empty()) say_aside(err.str());
+    return code == 0 ? ExitCode::ok : ExitCode::bad_input;
   }
   return action();
+}
+
+/// Whether who read our output has gone away, as `head` does after its lines: no fault of ours.
+bool reader_left() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return ::poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
 }  // namespace
@@ -82,15 +96,16 @@ int run_cli(int argc, const char* const* argv) {
   ExitCode code = ExitCode::bug;
   try {
     code = run_command(argc, argv);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw Error("the output cannot be written");
+    if ((std::fflush(stdout) != 0 || std::ferror(stdout) != 0) && !reader_left())
+      throw Error("the output cannot be written");
   } catch (const Error& error) {
-    std::fprintf(stderr, "lightbench: error: %s\n", error.what());
+    say_aside(std::string("lightbench: error: ") + error.what());
     code = ExitCode::bad_input;
   } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "lightbench: error: out of memory\n");
+    say_aside("lightbench: error: out of memory");
     code = ExitCode::bad_input;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "lightbench: bug: %s\n", error.what());
+    say_aside(std::string("lightbench: bug: ") + error.what());
   }
   return static_cast<int>(code);
 }

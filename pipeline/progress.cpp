@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/utf8.h"
 #include "reports/value_text.h"
 
 namespace lightbench {
@@ -72,7 +73,7 @@ void Progress::tell_repeated() {
 
 void Progress::tick() {
   if (style_ != Style::terminal || !schedule_) return;
-  std::fprintf(stream_, "\r\x1b[K%s  %s", status().c_str(), latest_.substr(0, 60).c_str());
+  std::fprintf(stream_, "\r\x1b[K%s  %s", status().c_str(), shortened(plain_line(latest_), 60).c_str());
   std::fflush(stream_);
 }
 
@@ -118,7 +119,7 @@ std::string Progress::status() const {
 
 void Progress::line(const std::string& text) {
   if (style_ == Style::terminal) std::fprintf(stream_, "\r\x1b[K");
-  std::fprintf(stream_, "%s\n", text.c_str());
+  std::fprintf(stream_, "%s\n", clean_utf8(text).c_str());
   std::fflush(stream_);
 }
 

@@ -1,13 +1,14 @@
-#include <cstdio>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
+#include "base/file_clashes.h"
 #include "base/files.h"
 #include "base/text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/view_options.h"
+#include "pipeline/console.h"
 #include "pipeline/references.h"
 #include "pipeline/tables.h"
 #include "scene/motion.h"
@@ -24,6 +25,23 @@ struct ExportParams {
   std::string folder = "export";
 };
 
+std::filesystem::path view_stem(const ExportParams& params, const View& view) {
+  return std::filesystem::path(params.folder) / escape_file_name(view.name);
+}
+
+/// All that will be written.
+std::vector<NamedFile> output_files(const ExportParams& params, const SceneExport& exported,
+                                    const std::vector<View>& views,
+                                    const std::vector<std::string>& suffixes) {
+  std::vector<NamedFile> files;
+  for (const auto& name : exported.shared_files())
+    files.push_back({name, std::filesystem::path(params.folder) / name});
+  for (const auto& view : views)
+    for (const auto& suffix : suffixes)
+      files.push_back({"view '" + view.name + "'", view_stem(params, view).string() + suffix});
+  return files;
+}
+
 ExitCode run_export(const ExportParams& params) {
   const ReferenceKind& kind = find_reference_kind(params.kind, "--kind");
   if (!kind.exports())
@@ -34,15 +52,17 @@ ExitCode run_export(const ExportParams& params) {
                      parse_params(kind.params, params.params), "--preset");
   Scene scene = load_scene(params.view.scene);
   const auto exported = kind.make_export(scene);
-  const std::filesystem::path folder = params.folder;
-  for (const auto& name : exported->write_shared(folder)) std::printf("%s\n", (folder / name).c_str());
-  for (const auto& view : chosen_views(params.view, scene)) {
+  const auto views = chosen_views(params.view, scene);
+  const auto outputs = output_files(params, *exported, views, kind.view_suffixes(values));
+  check_outputs(outputs, input_files(params.view, scene));
+  exported->write_shared(params.folder);
+  for (const auto& view : views) {
     set_time(scene, view.time);
-    const auto stem = folder / escape_file_name(view.name);
-    exported->write_view({view, size.width, size.height, params.view.samples, values, {}}, stem);
-    for (const auto& suffix : kind.view_suffixes(values)) std::printf("%s%s\n", stem.c_str(), suffix.c_str());
+    exported->write_view({view, size.width, size.height, params.view.samples, values, {}},
+                         view_stem(params, view));
   }
-  for (const auto& warning : exported->warnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  for (const auto& file : outputs) say(file.path.string());
+  print_warnings(exported->warnings());
   return ExitCode::ok;
 }
 

@@ -1,10 +1,12 @@
-#include <cstdio>
+#include <array>
 
 #include <CLI/CLI.hpp>
 
+#include "base/file_clashes.h"
 #include "base/files.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/run_options.h"
+#include "pipeline/console.h"
 #include "pipeline/job_file.h"
 #include "pipeline/oracle_job.h"
 
@@ -17,17 +19,26 @@ struct OracleParams {
   RunFlags flags;
 };
 
+/// The oracle's job takes the place of the job that was given, which must not be lost.
+void check_job_is_kept(const Job& job, const std::filesystem::path& out) {
+  std::vector<NamedFile> outputs;
+  for (const char* name : {"oracle.json", "oracle.md", "run.json", "plan.json", "ledger.jsonl"})
+    outputs.push_back({std::string("the run's ") + name, out / name});
+  check_outputs(outputs, std::array{NamedFile{"the job", job.file}});
+}
+
 ExitCode run_oracle(const OracleParams& params) {
   OracleJob oracle = oracle_job(read_job(params.job), params.variants);
   const RunOptions options = run_options(params.flags);
   const std::filesystem::path out = run_folder(oracle.job, options.out);
+  check_job_is_kept(oracle.job, out);
   oracle.job.file = out / "oracle.json";  // so that the folder can be scored and run again as it is
   write_file_atomic(oracle.job.file, job_text(oracle.job));
   const ExitCode code = run_job(oracle.job, options);
   const auto run = out / "run.json";
   const OracleTable table = oracle_table(run_report_from_json(read_file(run), run.string()), oracle.pairs);
   write_file_atomic(out / "oracle.md", oracle_markdown(table));
-  std::printf("\n%s\n%s\n", oracle_text(table).c_str(), (out / "oracle.md").c_str());
+  say("\n" + oracle_text(table) + "\n" + (out / "oracle.md").string());
   return code;
 }
 

@@ -8,6 +8,7 @@
 #include "pipeline/cache.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/run_options.h"
+#include "pipeline/console.h"
 #include "pipeline/executor.h"
 #include "pipeline/job_file.h"
 #include "pipeline/plan_file.h"
@@ -34,7 +35,7 @@ void print_explanation(const Plan& plan, Cache& cache, const std::vector<bool>& 
     const std::string why = !task.refused.empty() ? "cannot be done: " + task.refused
                             : found               ? "there already"
                                                   : "to do: " + cache.why_missing(task);
-    std::printf("%s  %s\n", task.id.c_str(), why.c_str());
+    say(task.id + "  " + why);
   }
   std::printf("%zu there already, %zu to do\n", there, to_do);
 }
@@ -57,7 +58,7 @@ ExitCode run_plan(const PlanParams& params) {
   const auto out = run_folder(job, params.flags.out);
   // Only a run may write to its folder; here views that a run would draw and keep are drawn aside.
   const TemporaryFolder aside;
-  PreparedRun run = prepare_run(job, aside.path(), params.flags.gl);
+  PreparedRun run = prepare_run(job, aside.path(), params.flags.gl, worker_places(params.flags.places));
   run.plan.out = out;
   const auto selected = select_tasks(run.plan, {}, params.flags.only);
   if (params.json) {

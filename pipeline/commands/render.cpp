@@ -1,14 +1,15 @@
-#include <cstdio>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
-#include "base/color.h"
 #include "base/error.h"
+#include "base/file_clashes.h"
 #include "base/text.h"
 #include "pipeline/bake_folder.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/view_options.h"
+#include "pipeline/console.h"
 #include "pipeline/snapshot.h"
 #include "pipeline/tables.h"
 #include "renderer/renderer.h"
@@ -28,15 +29,17 @@ struct RenderParams {
   std::string gl = "osmesa";
 };
 
-void check_output(const std::filesystem::path& file) {
-  const auto extension = file.extension();
-  if (extension != ".png" && extension != ".exr")
-    throw Error("must end in .png or .exr", "-o " + file.string());
+std::filesystem::path buffer_file(std::filesystem::path output, const std::string& name,
+                                  const char* extension) {
+  return output.replace_extension().string() + "." + name + extension;
 }
 
-void write_output(const std::filesystem::path& file, const Image& image) {
-  if (file.extension() == ".exr") return write_exr(file, image, PixelType::half);
-  write_png(file, first_channels(to_srgb8(image), 3));
+void check_written_files(const RenderParams& params, const Scene& scene) {
+  std::vector<NamedFile> outputs = {{"-o", params.output}};
+  for (const auto& name : params.buffers)
+    for (const char* extension : {".exr", ".png"})
+      outputs.push_back({"buffer " + name, buffer_file(params.output, name, extension)});
+  check_outputs(outputs, input_files(params.view, scene));
 }
 
 /// Nothing where no folder is given.
@@ -58,21 +61,20 @@ GivenParams given_params(const Technique& technique, const RenderParams& params,
 void warn_of_another_scene(const Scene& scene, const ParamValues& values, const RenderParams& params,
                            const BakeFolder& baked) {
   if (!params.baked.empty() && baked.key != bake_folder(scene, values).key)
-    std::fprintf(stderr,
-                 "warning: %s: was baked from another scene, from other files of it, or by another version\n",
-                 params.baked.c_str());
+    warn(params.baked + ": was baked from another scene, from other files of it, or by another version");
 }
 
 ExitCode run_render(const RenderParams& params) {
   const std::filesystem::path output = params.output;
-  check_output(output);
+  check_picture_name(output);
   const Technique& technique = find_technique(params.technique, "--technique");
   const BakeFolder baked = baked_objects(technique, params);
   const ParamValues values = resolve_params(technique.params, technique.presets, params.preset,
                                             given_params(technique, params, baked), "--preset");
   const ImageSize size = parse_size(params.view.size);
   Scene scene = load_scene(params.view.scene);
-  for (const auto& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  print_warnings(scene.warnings);
+  check_written_files(params, scene);
   warn_of_another_scene(scene, values, params, baked);
   const View view = chosen_view(params.view, scene);
   FrameRequest request{scene,
@@ -84,19 +86,16 @@ ExitCode run_render(const RenderParams& params) {
                        params.baked};
   Renderer renderer(parse_gl(params.gl, "--gl"));
   const FrameResult frame = renderer.render(technique, values, request);
-  for (const auto& warning : frame.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  write_output(output, frame.image);
-  for (const auto& [name, buffer] : frame.buffers) {
-    auto stem = output;
-    stem.replace_extension();
-    write_buffer_pair(stem.string() + "." + name + ".exr", stem.string() + "." + name + ".png", buffer);
-  }
+  print_warnings(frame.warnings);
+  print_warnings(write_picture(output, frame.image));
+  for (const auto& [name, buffer] : frame.buffers)
+    write_buffer_pair(buffer_file(output, name, ".exr"), buffer_file(output, name, ".png"), buffer);
   double total = 0;
   for (const auto& pass : frame.passes) {
-    std::printf("%-24s %8.2f ms\n", pass.name.c_str(), pass.seconds * 1000);
+    say(fmt::format("{:<24} {:8.2f} ms", pass.name, pass.seconds * 1000));
     total += pass.seconds;
   }
-  std::printf("%-24s %8.2f ms\n%s\n", "all passes", total * 1000, output.c_str());
+  say(fmt::format("{:<24} {:8.2f} ms\n{}", "all passes", total * 1000, output.string()));
   return ExitCode::ok;
 }
 

@@ -1,4 +1,3 @@
-#include <cstdio>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
@@ -6,6 +5,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/console.h"
 #include "pipeline/gather.h"
 #include "pipeline/tables.h"
 #include "reports/report_formats.h"
@@ -23,7 +23,7 @@ ExitCode run_report(const ReportParams& params) {
   const auto file = folder / "run.json";
   const RunReport report = run_report_from_json(read_file(file), file.string());
   write_reports(report, folder, params.formats);
-  std::printf("%s\n%s\n", terminal_summary(report).c_str(), (folder / "index.html").c_str());
+  say(terminal_summary(report) + "\n" + (folder / "index.html").string());
   return exit_code_of(report);
 }
 

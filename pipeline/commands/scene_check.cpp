@@ -1,8 +1,9 @@
-#include <cstdio>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "pipeline/commands/commands.h"
+#include "pipeline/console.h"
 #include "scene/scene_file.h"
 
 namespace lightbench {
@@ -30,21 +31,21 @@ bool check_scene(const std::string& file) {
   bool ok = true;
   for (const auto& problem : loaded.problems) {
     const std::string place = problem.where.empty() ? file : problem.where;
-    std::printf("%s: %s: %s\n", place.c_str(), severity_text(problem.severity), problem.what.c_str());
+    say(fmt::format("{}: {}: {}", place, severity_text(problem.severity), problem.what));
     ok = ok && problem.severity != Problem::Severity::error;
   }
   const Scene& scene = loaded.scene;
   if (!ok) {
-    std::printf("%s: cannot be used\n", file.c_str());
+    say(file + ": cannot be used");
     return false;
   }
   const Bounds bounds = world_bounds(scene);
-  std::printf(
-      "%s: fine: %zu triangles, %zu entities, %zu materials, %zu textures, %zu lights, from (%g %g %g) to "
-      "(%g %g %g)\n",
-      file.c_str(), triangle_count(scene), scene.entities.size(), scene.materials.size(),
-      scene.textures.size(), scene.lights.size(), double(bounds.min.x), double(bounds.min.y),
-      double(bounds.min.z), double(bounds.max.x), double(bounds.max.y), double(bounds.max.z));
+  say(fmt::format(
+      "{}: fine: {} triangles, {} entities, {} materials, {} textures, {} lights, from ({:g} {:g} {:g}) to "
+      "({:g} {:g} {:g})",
+      file, triangle_count(scene), scene.entities.size(), scene.materials.size(), scene.textures.size(),
+      scene.lights.size(), bounds.min.x, bounds.min.y, bounds.min.z, bounds.max.x, bounds.max.y,
+      bounds.max.z));
   return true;
 }
 

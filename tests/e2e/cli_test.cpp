@@ -77,6 +77,17 @@ TEST_F(Cli, OutputThatCannotBeWrittenIsAnError) {
   EXPECT_THAT(result.err, HasSubstr("cannot be written"));
 }
 
+TEST_F(Cli, NamesCannotSteerATerminal) {
+  const std::string name = "no\x1b[31m\u202E\xff.obj";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"run", name}, {name}, {"list", "--" + name}, {"scene", "check", name}}) {
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_THAT(result.out + result.err, HasSubstr("no\uFFFD[31m\uFFFD\uFFFD.obj"));
+    EXPECT_THAT(result.out + result.err, ::testing::Not(HasSubstr("\x1b")));
+  }
+}
+
 TEST_F(Cli, RandomViewsAreTheSameForTheSameSeed) {
   const auto first = run({"cameras", "scene.json", "--random", "3", "--seed", "7"});
   EXPECT_EQ(first.exit_code, 0) << first.err;
@@ -120,6 +131,28 @@ TEST_F(Cli, CompareNeverOverwritesWhatItCompares) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_THAT(result.err, HasSubstr("would be overwritten"));
   EXPECT_EQ(read_image_srgb8(path("a.png")).data[0], 10);
+}
+
+TEST_F(Cli, OutputsNeverReplaceWhatTheyAreMadeFrom) {
+  const std::string scene = read_file(path("scene.json")), object = read_file(path("box.obj"));
+  write("tex_0001.png", encode_png(Image8(4, 4, 3, 128)));
+  write("box.mtl", "newmtl grey\nKd 1 1 1\nmap_Kd tex_0001.png\n");
+  const std::string texture = read_file(path("tex_0001.png"));
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"cameras", "scene.json", "-o", "scene.json"},
+        {"cameras", "scene.json", "-o", "./box.obj"},
+        {"bench", "job.json", "-o", "scene.json"},
+        {"caustics", "scene.json", "-o", "scene.json"},
+        {"export", "scene.json", "--cameras", "cameras.json", "-o", "."}}) {
+    write("job.json", R"({"scenes": [{"scene": "scene.json", "cameras": "cameras.json"}],
+                          "variants": [{"name": "direct", "technique": "direct"}]})");
+    const auto result = run(command);
+    EXPECT_EQ(result.exit_code, 3) << command.front();
+    EXPECT_THAT(result.err, HasSubstr("would be overwritten by")) << command.front();
+  }
+  EXPECT_EQ(read_file(path("scene.json")), scene);
+  EXPECT_EQ(read_file(path("box.obj")), object);
+  EXPECT_EQ(read_file(path("tex_0001.png")), texture);
 }
 
 TEST_F(Cli, CompareRefusesWhatIsNoNumber) {

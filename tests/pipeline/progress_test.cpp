@@ -10,7 +10,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// What a run of two tasks, one of which fails, writes.
-std::string text_of(Progress::Style style) {
+std::string text_of(Progress::Style style, const std::string& failure = "no light") {
   char* data = nullptr;
   std::size_t size = 0;
   std::FILE* stream = open_memstream(&data, &size);
@@ -25,8 +25,8 @@ std::string text_of(Progress::Style style) {
   progress.started(tasks[0]);
   schedule.done(0);
   progress.ended(tasks[0], {TaskState::done, "", 1, LedgerEntry{}});
-  schedule.fail(1, "no light");
-  progress.ended(tasks[1], {TaskState::failed, "no light", 1, std::nullopt});
+  schedule.fail(1, failure);
+  progress.ended(tasks[1], {TaskState::failed, failure, 1, std::nullopt});
   progress.finish();
   std::fclose(stream);
   const std::string text(data, size);
@@ -47,6 +47,11 @@ TEST(ProgressLine, ATerminalSeesOneLineAndEveryFailure) {
   EXPECT_THAT(text, HasSubstr("\r\x1b[K [1/2"));
   EXPECT_THAT(text, Not(HasSubstr("snapshot:a/b/c done")));
   EXPECT_THAT(text, HasSubstr("snapshot:a/b/d FAILED: no light\n"));
+}
+
+TEST(ProgressLine, AFailureCannotSteerATerminal) {
+  const std::string text = text_of(Progress::Style::lines, "no \x1b]0;title\x07light\xff\u202E");
+  EXPECT_THAT(text, HasSubstr("FAILED: no \uFFFD]0;title\uFFFDlight\uFFFD\uFFFD\n"));
 }
 
 TEST(ProgressLine, TheEndHasTheCounts) {
