@@ -40,6 +40,23 @@ TEST_F(Baked, AKilledBakeLeavesNoHalfWrittenFileAndGoesOn) {
   EXPECT_FALSE(std::filesystem::exists(path("baked/0001-floor.mtex")));
   EXPECT_THAT(bake().out, HasSubstr("0000-box: there already"));
   EXPECT_EQ(read_file(path("baked/0001-floor.mtex")), floor);
+  EXPECT_EQ(files("baked").size(), 3u) << "nothing of the killed bake is left";
+}
+
+TEST_F(Baked, ABakeThatWasKilledBeforeItsFirstFileGoesOn) {
+  write("baked/.bake.tmp-7-0.json", "half");
+  write("baked/.0000-box.tmp-7-1.mtex", "half");
+  const auto result = bake();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(files("baked"), ElementsAre("baked/0000-box.mtex", "baked/0001-floor.mtex", "baked/bake.json"));
+}
+
+TEST_F(Baked, ASecondBakeIsKeptOut) {
+  std::filesystem::create_directory(path("baked"));
+  const FolderLock another(path("baked"));
+  const auto result = bake();
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("another bake is working in this folder"));
 }
 
 TEST_F(Baked, AFolderOfOtherParametersIsRefused) {
