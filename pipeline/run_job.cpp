@@ -1,6 +1,7 @@
 #include "pipeline/run_job.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <thread>
 
@@ -8,15 +9,19 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/file_clashes.h"
 #include "base/files.h"
 #include "base/stopwatch.h"
 #include "pipeline/concrete.h"
+#include "pipeline/console.h"
 #include "pipeline/executor.h"
 #include "pipeline/gather.h"
 #include "pipeline/inspect.h"
 #include "pipeline/plan_file.h"
 #include "pipeline/progress.h"
+#include "pipeline/run_folder.h"
 #include "pipeline/runners/local_runner.h"
+#include "pipeline/scene_children.h"
 #include "pipeline/selection.h"
 #include "reports/report_formats.h"
 
@@ -54,25 +59,52 @@ std::vector<bool> selection(const Plan& plan, const Ledger& ledger, const RunOpt
   if (!options.retry_failed) return selected;
   std::vector<bool> failed = select_failed(plan, ledger.last());
   for (std::size_t i = 0; i < selected.size(); ++i) failed[i] = failed[i] && selected[i];
-  if (!any(failed)) std::printf("no task failed the last time: there is nothing to retry\n");
+  if (!any(failed)) say("no task failed the last time: there is nothing to retry");
   return failed;
 }
 
 void print_end(const RunReport& report, const std::filesystem::path& out, bool interrupted) {
-  std::printf("\n%s", terminal_summary(report).c_str());
-  for (const auto& warning : report.warnings) std::printf("warning: %s\n", warning.c_str());
-  if (interrupted) std::printf("interrupted: the same command goes on from here\n");
-  std::printf("\n%s\n", (out / "index.html").c_str());
+  say("\n" + terminal_summary(report));
+  for (const auto& warning : report.warnings) say("warning: " + warning);
+  if (interrupted) say("interrupted: the same command goes on from here");
+  say("\n" + (out / "index.html").string());
+}
+
+/// --retry-failed asks for a run that there is.
+void check_retry(const Job& job, const RunOptions& options) {
+  const auto ledger = run_folder(job, options.out) / "ledger.jsonl";
+  std::error_code error;
+  if (options.retry_failed && !std::filesystem::exists(ledger, error))
+    throw Error("there is no run in this folder, so none of its tasks can be tried again: " +
+                    ledger.parent_path().string(),
+                "--retry-failed");
+}
+
+/// Returns the run's folder, after making sure that no file of the run would replace what the job names.
+std::filesystem::path checked_folder(const Job& job, const RunOptions& options) {
+  const auto out = run_folder(job, options.out);
+  std::vector<NamedFile> outputs, inputs{{"the job", job.file}};
+  for (const char* name : {"run.json", "plan.json", "ledger.jsonl", "index.html", "junit.xml", "summary.md"})
+    outputs.push_back({std::string("the run's ") + name, out / name});
+  for (const JobScene& scene : job.scenes) {
+    inputs.push_back({"scene '" + scene.name + "'", scene.file});
+    if (const auto* script = std::get_if<CameraScript>(&scene.views))
+      inputs.push_back({"the camera script of scene '" + scene.name + "'", script->file});
+    if (std::holds_alternative<RandomViewsRequest>(scene.views))
+      outputs.push_back({"the views drawn of scene '" + scene.name + "'", out / stored_cameras(scene)});
+  }
+  check_outputs(outputs, inputs);
+  return out;
 }
 
 /// A run under way, in its folder.
 struct StartedRun {
   StartedRun(const Job& job, const RunOptions& options)
-      : out(run_folder(job, options.out)),
+      : pipe_handler(std::signal(SIGPIPE, SIG_IGN)),  // work goes on when nobody reads its progress any more
+        out(checked_folder(job, options)),
         ledger(out / "ledger.jsonl", LedgerUse::append),
-        prepared(prepare_run(job, out, options.gl)),
-        places(options.places > 0 ? options.places : int(std::max(1u, std::thread::hardware_concurrency()))) {
-  }
+        places(worker_places(options.places)),
+        prepared(prepare_run(job, out, options.gl, places)) {}
 
   /// Returns how each task ended; empty `selected`: all are done.
   std::vector<TaskOutcome> execute_tasks(const std::vector<bool>& selected) {
@@ -80,17 +112,23 @@ struct StartedRun {
     const auto plan_file = out / "plan.json";
     write_file_atomic(plan_file, plan_to_json(prepared.plan));
     FolderCache cache(ledger, out);
-    LocalRunner runner(executable_path(), plan_file, out / "tmp");
+    const Workspace workspace(prepared.plan);
+    LocalRunner runner(executable_path(), plan_file, workspace.scratch());
     Progress progress(stdout, Progress::style_of(stdout), places);
     auto outcomes = execute(prepared.plan, cache, runner, progress, {places, memory_mb(), selected});
     interrupted = runner.interrupted();
     return outcomes;
   }
 
+  ~StartedRun() { std::signal(SIGPIPE, pipe_handler); }
+  StartedRun(const StartedRun&) = delete;
+  StartedRun& operator=(const StartedRun&) = delete;
+
+  void (*pipe_handler)(int);
   std::filesystem::path out;
   Ledger ledger;
-  PreparedRun prepared;
   int places;
+  PreparedRun prepared;
   bool interrupted = false;
 };
 
@@ -102,10 +140,18 @@ std::filesystem::path run_folder(const Job& job, const std::filesystem::path& ou
   return std::filesystem::absolute(folder).lexically_normal();
 }
 
-PreparedRun prepare_run(const Job& job, const std::filesystem::path& out, const std::string& gl) {
+int worker_places(int asked) {
+  return asked > 0 ? asked : int(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+PreparedRun prepare_run(const Job& job, const std::filesystem::path& out, const std::string& gl, int places) {
   PreparedRun run;
-  const Job concrete = make_concrete(job, out, draw_job_views);
-  run.facts = inspect(concrete, gl);
+  const SceneChildren children(executable_path(), places);
+  const Job concrete =
+      make_concrete(job, out, [&](const JobScene& scene, const RandomViewsRequest& request, double) {
+        return children.draw_views(job, scene, request);
+      });
+  run.facts = inspect(concrete, gl, [&](const Job& whole) { return children.inspect(whole); });
   run.plan = make_plan(concrete, run.facts, out);
   return run;
 }
@@ -125,18 +171,23 @@ void bake_job(const Job& job, const RunOptions& options) {
       throw Error(outcomes[i].reason, tasks[i].label);
 }
 
-ExitCode run_job(const Job& job, const RunOptions& options) {
+ExitCode run_job(const Job& job, const RunOptions& options) try {
   const Stopwatch watch;
   const std::string started = utc_now();
+  check_retry(job, options);
   StartedRun run(job, options);
   const std::vector<bool> selected = selection(run.prepared.plan, run.ledger, options);
   const auto outcomes = run.execute_tasks(selected);
-  RunReport report = gather_report(run.prepared.plan, run.prepared.facts, outcomes, selected);
+  RunReport report = gather_report(run.prepared.plan, run.prepared.facts, outcomes,
+                                   options.partial ? GateScope::what_is_there : GateScope::all_scores);
   report.started = started;
   report.seconds = watch.seconds();
   write_reports(report, run.out);
   print_end(report, run.out, run.interrupted);
   return run.interrupted ? ExitCode::task_failed : exit_code_of(report, outcomes, selected);
+} catch (const Interrupted& interrupted) {
+  say(interrupted.what());
+  return ExitCode::task_failed;
 }
 
 }  // namespace lightbench

@@ -7,15 +7,12 @@
 
 namespace lightbench {
 
-/// Workers as child processes of this one: `lightbench work PLAN TASK...`, one thread each.
+/// Workers as child processes of this one, one thread each: `lightbench work PLAN`, which reads the ids of
+/// its tasks from standard input, since a command line has room for some thousands only.
 class LocalRunner : public Runner {
  public:
-  /// `scratch` is where workers keep temporary files. What a killed run left in it is removed now, and all of
-  /// it at the end. Throws Error when it cannot be made.
+  /// `scratch` is a folder where workers keep temporary files.
   LocalRunner(std::filesystem::path program, std::filesystem::path plan_file, std::filesystem::path scratch);
-  LocalRunner(const LocalRunner&) = delete;
-  LocalRunner& operator=(const LocalRunner&) = delete;
-  ~LocalRunner() override;
 
   void start(const std::vector<const Task*>& tasks, LineHandler on_line, EndHandler on_end) override;
   void every(std::chrono::milliseconds interval, std::function<void()> tick) override;
@@ -28,8 +25,5 @@ class LocalRunner : public Runner {
   std::filesystem::path scratch_;
   ProcessLoop loop_;
 };
-
-/// The last lines of a text, in one line.
-std::string last_lines(const std::string& text, std::size_t count);
 
 }  // namespace lightbench

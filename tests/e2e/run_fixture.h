@@ -27,6 +27,17 @@ class GlRun : public Program {
                           more + "}");
   }
 
+  /// Adds a variant of another engine's pictures, mine/<scene>-<view>.png, of one grey.
+  void add_pictures(std::uint8_t grey) const {
+    for (const char* view : {"front", "side"})
+      write_png(path(std::string("mine/box-") + view + ".png"), Image8(32, 24, 3, grey));
+    std::string text = read_file(path("job.json"));
+    const std::string place = R"("variants": [)";
+    write("job.json",
+          text.replace(text.find(place), place.size(), place + R"({"name": "mine", "technique": "images",
+                                             "params": {"pattern": "mine/{scene}-{view}.png"}},)"));
+  }
+
   ProcessResult run_job(std::vector<std::string> more = {}) const {
     more.insert(more.begin(), {"run", "job.json", "--out", "out"});
     return run(more);
@@ -41,6 +52,13 @@ class GlRun : public Program {
     std::size_t count = 0;
     for (const auto& file : files("out")) count += file.ends_with(ending);
     return count;
+  }
+
+  /// Files of the run that have this in their names.
+  std::size_t files_called(const std::string& part) const {
+    const auto all = files("out");
+    return std::size_t(
+        std::ranges::count_if(all, [&](const std::string& file) { return file.find(part) != file.npos; }));
   }
 
   static constexpr std::size_t kTasks = 13;  // 4 snapshots, 2 references, 3 exports, 4 scores
