@@ -1,16 +1,14 @@
 #include "base/files.h"
 
-#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/hash.h"
 
@@ -24,91 +22,71 @@ std::string system_message() {
   return std::strerror(errno);
 }
 
-void make_parent_folders(const fs::path& file) {
-  if (file.parent_path().empty()) return;
-  std::error_code error;
-  fs::create_directories(file.parent_path(), error);
-  if (error) throw Error("cannot make the folder: " + error.message(), file.parent_path().string());
-}
-
-/// The bytes must be on the disk before the rename: else a power cut leaves an empty file under the final
-/// name.
-void flush_to_disk(const fs::path& file) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throw Error("cannot write: " + system_message(), file.string());
-  const bool flushed = ::fsync(descriptor) == 0;
-  ::close(descriptor);
-  if (!flushed) throw Error("cannot write: " + system_message(), file.string());
-}
-
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||
          c == '-' || c == '+' || c == '=' || c == '~' || c == ',' || c == '[' || c == ']';
 }
 
+std::string with_doubled_braces(const std::string& text) {
+  std::string result;
+  for (const char c : text) result.append(c == '{' ? 2 : 1, c);
+  return result;
+}
+
+/// The value of the variable that a path names.
+std::string variable(const std::string& name, const std::string& where) {
+  if (!name.starts_with("LIGHTBENCH_"))
+    throw Error(fmt::format("only variables that start with LIGHTBENCH_ may stand in a path, not '{}'", name),
+                where);
+  const char* value = std::getenv(name.c_str());
+  if (!value || !*value) throw Error(fmt::format("the environment variable {} is not set", name), where);
+  return value;
+}
+
+/// The text of a path with `written(value)` for each variable.
+template <typename Written>
+std::string with_variables(std::string_view text, const std::string& where, const Written& written) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size();) {
+    if (text.compare(i, 3, "$${") == 0) {
+      result += "${";
+      i += 3;
+      continue;
+    }
+    if (text.compare(i, 2, "${") != 0) {
+      result += text[i++];
+      continue;
+    }
+    const std::size_t end = text.find('}', i);
+    if (end == std::string_view::npos) throw Error("a '${' without its '}'", where);
+    result += written(variable(std::string(text.substr(i + 2, end - i - 2)), where));
+    i = end + 1;
+  }
+  if (result.empty()) throw Error("an empty path", where);
+  if (result.find('\0') != std::string::npos) throw Error("a path with a zero byte", where);
+  return result;
+}
+
 }  // namespace
 
-std::string read_file(const fs::path& file) {
-  std::error_code error;
-  if (fs::is_directory(file, error)) throw Error("is a folder, not a file", file.string());
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error("cannot read the file: " + system_message(), file.string());
-  std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw Error("cannot read the file", file.string());
+std::string read_file(const fs::path& file, std::uint64_t largest) {
+  InputFile input(file, largest);
+  std::string bytes(input.size(), '\0');
+  bytes.resize(input.read(bytes));
   return bytes;
 }
 
 void write_file_atomic(const fs::path& file, std::string_view bytes) {
   AtomicFile target(file);
-  std::ofstream stream(target.path(), std::ios::binary);
-  stream.write(bytes.data(), std::streamsize(bytes.size()));
-  stream.close();
-  if (!stream) throw Error("cannot write: " + system_message(), file.string());
+  target.write(bytes);
   target.commit();
 }
 
-AtomicFile::AtomicFile(fs::path target) : target_(std::move(target)) {
-  static std::atomic<unsigned> counter{0};
-  make_parent_folders(target_);
-  std::error_code error;
-  if (fs::is_directory(target_, error))
-    throw Error("is a folder, cannot write a file there", target_.string());
-  temporary_ = target_.parent_path() / fmt::format(".{}.tmp-{}-{}{}", target_.stem().string().substr(0, 100),
-                                                   ::getpid(), counter++, target_.extension().string());
-}
-
-AtomicFile::~AtomicFile() {
-  if (temporary_.empty()) return;
-  std::error_code ignored;
-  fs::remove(temporary_, ignored);
-}
-
-void AtomicFile::commit() {
-  flush_to_disk(temporary_);
-  std::error_code error;
-  fs::rename(temporary_, target_, error);
-  if (error) throw Error("cannot write: " + error.message(), target_.string());
-  temporary_.clear();
-}
-
-TemporaryFolder::TemporaryFolder(std::string_view prefix) {
-  std::error_code error;
-  std::string pattern = (fs::temp_directory_path(error) / fmt::format("{}-XXXXXX", prefix)).string();
-  if (error || !::mkdtemp(pattern.data()))
-    throw Error("cannot make a temporary folder: " + system_message(), pattern);
-  path_ = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
-std::string escape_file_name(std::string_view name) {
+std::string escape_file_name(std::string_view name, std::string_view reserved) {
   std::string result;
   for (const char c : name) {
     const bool leading_dot = c == '.' && result.empty();
-    if (is_plain(c) && !leading_dot)
+    if (is_plain(c) && !leading_dot && reserved.find(c) == reserved.npos)
       result += c;
     else
       result += fmt::format("%{:02X}", static_cast<unsigned char>(c));
@@ -120,27 +98,19 @@ std::string escape_file_name(std::string_view name) {
 }
 
 fs::path resolve_path(std::string_view text, const fs::path& base, const std::string& where) {
+  return (base / with_variables(text, where, [](std::string value) { return value; })).lexically_normal();
+}
+
+std::string resolve_pattern(std::string_view pattern, const fs::path& base, const std::string& where) {
+  return (fs::path(with_doubled_braces(base.string())) / with_variables(pattern, where, with_doubled_braces))
+      .lexically_normal()
+      .string();
+}
+
+std::string unresolved(std::string_view path) {
   std::string result;
-  for (std::size_t i = 0; i < text.size();) {
-    if (text.compare(i, 2, "${") != 0) {
-      result += text[i++];
-      continue;
-    }
-    const std::size_t end = text.find('}', i);
-    if (end == std::string_view::npos) throw Error("a '${' without its '}'", where);
-    const std::string name(text.substr(i + 2, end - i - 2));
-    if (!name.starts_with("LIGHTBENCH_"))
-      throw Error(
-          fmt::format("only variables that start with LIGHTBENCH_ may stand in a path, not '{}'", name),
-          where);
-    const char* value = std::getenv(name.c_str());
-    if (!value || !*value) throw Error(fmt::format("the environment variable {} is not set", name), where);
-    result += value;
-    i = end + 1;
-  }
-  if (result.empty()) throw Error("an empty path", where);
-  if (result.find('\0') != std::string::npos) throw Error("a path with a zero byte", where);
-  return (base / result).lexically_normal();
+  for (std::size_t i = 0; i < path.size(); ++i) result.append(path.compare(i, 2, "${") == 0 ? 2 : 1, path[i]);
+  return result;
 }
 
 fs::path executable_path() {

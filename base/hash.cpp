@@ -1,12 +1,15 @@
 #include "base/hash.h"
 
 #include <array>
-#include <fstream>
+#include <cerrno>
+#include <cstring>
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <xxhash.h>
 
 #include "base/error.h"
+#include "base/input_file.h"
 
 namespace lightbench {
 
@@ -48,17 +51,33 @@ std::string hash_bytes(std::string_view bytes) {
   return Hasher().field("bytes", bytes).digest();
 }
 
-std::string hash_file(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw Error("cannot read the file", file.string());
+std::string hash_file(const std::filesystem::path& file, std::uint64_t largest) {
+  InputFile input(file, largest);
   Hasher hasher;
   std::array<char, 1 << 16> block;
+  std::size_t count = 0;
   do {
-    stream.read(block.data(), block.size());
-    hasher.field("block", {block.data(), std::size_t(stream.gcount())});
-  } while (stream);
-  if (stream.bad()) throw Error("cannot read the file", file.string());
+    count = input.read(block);
+    hasher.field("block", {block.data(), count});
+  } while (count == block.size());
   return hasher.digest();
+}
+
+std::string file_stamp(const std::filesystem::path& file) {
+  struct stat s {};
+  if (::stat(file.c_str(), &s) != 0)
+    throw Error(fmt::format("cannot read the file: {}", std::strerror(errno)), file.string());
+  return fmt::format("{} {} {} {}.{} {}.{}", s.st_dev, s.st_ino, s.st_size, s.st_mtim.tv_sec,
+                     s.st_mtim.tv_nsec, s.st_ctim.tv_sec, s.st_ctim.tv_nsec);
+}
+
+std::string hash_while_reading(const std::filesystem::path& file, const std::function<void()>& read) {
+  std::error_code error;
+  const std::string before = std::filesystem::exists(file, error) ? file_stamp(file) : "";
+  read();
+  std::string hash = hash_file(file);
+  if (file_stamp(file) != before) throw Error("was changed while it was read", file.string());
+  return hash;
 }
 
 }  // namespace lightbench

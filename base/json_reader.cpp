@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/json_bytes.h"
 #include "base/text.h"
 
 namespace lightbench {
@@ -35,18 +36,34 @@ std::string plain_parse_message(const std::string& message) {
   return colon == std::string::npos ? message : message.substr(colon + 2);
 }
 
-/// Sees each object while it is parsed, since the parsed value keeps only the last of equal keys.
-class DuplicateKeys {
+/// Sees each value while it is parsed, and stops where limits are passed; and each object, since the parsed
+/// value keeps only the last of equal keys.
+class ParseGuard {
  public:
-  bool operator()(int, Json::parse_event_t event, Json& value) {
-    if (event == Json::parse_event_t::object_start) objects_.emplace_back();
-    if (event == Json::parse_event_t::object_end) objects_.pop_back();
-    if (event == Json::parse_event_t::key && !objects_.back().insert(value.get<std::string>()).second)
-      throw Error(fmt::format("the key '{}' stands twice in one object", value.get<std::string>()));
+  explicit ParseGuard(const JsonLimits& limits) : limits_(limits) {}
+
+  bool operator()(int depth, Json::parse_event_t event, Json& value) {
+    using Event = Json::parse_event_t;
+    if (event == Event::object_start) objects_.emplace_back();
+    if (event == Event::object_end) objects_.pop_back();
+    if (event == Event::key) add_key(value.get<std::string>());
+    const bool starts = event == Event::object_start || event == Event::array_start;
+    if (starts && depth >= limits_.depth)
+      throw Error(fmt::format("lists and objects stand in one another more than {} deep", limits_.depth));
+    if ((starts || event == Event::value) && ++values_ > limits_.values)
+      throw Error(fmt::format("there are more than {} values", limits_.values));
     return true;
   }
 
  private:
+  void add_key(const std::string& key) {
+    std::set<std::string>& keys = objects_.back();
+    if (!keys.insert(key).second) throw Error(fmt::format("the key '{}' stands twice in one object", key));
+    if (keys.size() > limits_.keys) throw Error(fmt::format("an object has more than {} keys", limits_.keys));
+  }
+
+  JsonLimits limits_;
+  std::size_t values_ = 0;
   std::vector<std::set<std::string>> objects_;
 };
 
@@ -65,11 +82,11 @@ struct JsonValue::Document {
 JsonValue::JsonValue(std::shared_ptr<const Document> document, const Json* value, std::string path)
     : document_(std::move(document)), value_(value), path_(std::move(path)) {}
 
-JsonValue JsonValue::parse(const std::string& text, const std::string& file) {
+JsonValue JsonValue::parse(const std::string& text, const std::string& file, const JsonLimits& limits) {
   auto document = std::make_shared<Document>();
   document->file = file;
   try {
-    document->root = Json::parse(text, DuplicateKeys(), true, true);
+    document->root = Json::parse(text, ParseGuard(limits), true, true);
   } catch (const nlohmann::json::parse_error& error) {
     throw Error(plain_parse_message(error.what()), fmt::format("{}:{}", file, line_of(text, error.byte)));
   } catch (const nlohmann::json::exception& error) {
@@ -81,8 +98,8 @@ JsonValue JsonValue::parse(const std::string& text, const std::string& file) {
   return JsonValue(std::move(document), root, "$");
 }
 
-JsonValue JsonValue::parse_file(const std::filesystem::path& file) {
-  return parse(read_file(file), file.string());
+JsonValue JsonValue::parse_file(const std::filesystem::path& file, const JsonLimits& limits) {
+  return parse(read_file(file, limits.bytes), file.string(), limits);
 }
 
 std::string JsonValue::where() const {
@@ -140,7 +157,7 @@ bool JsonValue::boolean() const {
 
 std::string JsonValue::text() const {
   if (!value_->is_string()) fail(fmt::format("must be a text, not {}", type_name(*value_)));
-  return value_->get<std::string>();
+  return bytes_of_utf8(value_->get_ref<const std::string&>());
 }
 
 std::string JsonValue::choice(const std::vector<std::string>& choices) const {
@@ -187,7 +204,7 @@ JsonValue JsonObject::at(const std::string& key) {
 }
 
 std::optional<JsonValue> JsonObject::find(const std::string& key) {
-  known_.push_back(key);
+  known_.insert(key);
   const auto found = value_.value_->find(key);
   if (found == value_.value_->end()) return std::nullopt;
   const std::string step = is_plain_key(key) ? "." + key : fmt::format("[{}]", Json(key).dump());
@@ -204,10 +221,20 @@ std::vector<std::string> JsonObject::keys() const {
   return result;
 }
 
+std::vector<std::string> JsonObject::unknown() const {
+  std::vector<std::string> result;
+  for (const auto& [key, unused] : value_.value_->items())
+    if (!known_.contains(key)) result.push_back(key);
+  return result;
+}
+
+std::string JsonObject::unknown_key_text(const std::string& key) const {
+  return fmt::format("unknown key '{}'{}", key, did_you_mean(key, {known_.begin(), known_.end()}));
+}
+
 void JsonObject::finish() const {
-  for (const auto& key : keys())
-    if (std::find(known_.begin(), known_.end(), key) == known_.end())
-      value_.fail(fmt::format("unknown key '{}'{}", key, did_you_mean(key, known_)));
+  for (const auto& [key, unused] : value_.value_->items())
+    if (!known_.contains(key)) value_.fail(unknown_key_text(key));
 }
 
 }  // namespace lightbench

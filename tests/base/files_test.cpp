@@ -23,30 +23,10 @@ TEST(Files, AtomicWriteMakesFoldersAndReplaces) {
   EXPECT_EQ(std::distance(fs::directory_iterator(file.parent_path()), {}), 1);
 }
 
-TEST(Files, WithoutCommitNothingStays) {
-  const TemporaryFolder folder;
-  {
-    const AtomicFile file(folder.path() / "x.png");
-    write_file_atomic(file.path(), "half");
-    EXPECT_EQ(file.path().extension(), ".png");
-  }
-  EXPECT_TRUE(fs::is_empty(folder.path()));
-}
-
 TEST(Files, AFileInThePlaceOfAFolderIsAnError) {
   const TemporaryFolder folder;
   write_file_atomic(folder.path() / "file", "");
   EXPECT_THROW(write_file_atomic(folder.path() / "file" / "below", ""), Error);
-}
-
-TEST(Files, TemporaryFoldersAreRemoved) {
-  fs::path path;
-  {
-    const TemporaryFolder folder;
-    path = folder.path();
-    write_file_atomic(path / "deep" / "file", "x");
-  }
-  EXPECT_FALSE(fs::exists(path));
 }
 
 TEST(Files, NamesCannotLeaveTheirFolder) {
@@ -69,6 +49,12 @@ TEST(Files, LongNamesKeepApart) {
   EXPECT_NE(escape_file_name(longer), escape_file_name(longer + "y"));
 }
 
+TEST(Files, ReservedBytesAreEscapedBeforeANameIsCut) {
+  EXPECT_EQ(escape_file_name("a~b", "~"), "a%7Eb");
+  EXPECT_EQ(escape_file_name("a~b"), "a~b");
+  EXPECT_LE(escape_file_name(std::string(85, '~'), "~").size(), 120u);
+}
+
 TEST(Files, OnlyOurOwnVariablesStandInPaths) {
   ::setenv("LIGHTBENCH_TEST_PLACE", "/place", 1);
   EXPECT_EQ(resolve_path("${LIGHTBENCH_TEST_PLACE}/a.obj", "/base", "here"), "/place/a.obj");
@@ -76,6 +62,27 @@ TEST(Files, OnlyOurOwnVariablesStandInPaths) {
   EXPECT_THROW(resolve_path("${HOME}/a", "/base", "here"), Error);
   EXPECT_THROW(resolve_path("${LIGHTBENCH_NOT_SET_AT_ALL}/a", "/base", "here"), Error);
   EXPECT_THROW(resolve_path("${LIGHTBENCH_TEST_PLACE", "/base", "here"), Error);
+}
+
+TEST(Files, AFolderMayBeNamedLikeAVariable) {
+  EXPECT_EQ(resolve_path("a.obj", "/jobs/${HOME}", "here"), "/jobs/${HOME}/a.obj");
+  EXPECT_EQ(resolve_path("$${HOME}/a.obj", "/jobs", "here"), "/jobs/${HOME}/a.obj");
+}
+
+RC_GTEST_PROP(Files, UnresolvedPathsResolveToThemselves, ()) {
+  const auto part = rc::gen::element<std::string>("$", "{", "}", "x", "HOME", "LIGHTBENCH_X");
+  const auto parts = *rc::gen::container<std::vector<std::string>>(part);
+  std::string path = "/";
+  for (const std::string& piece : parts) path += piece;
+  RC_ASSERT(resolve_path(unresolved(path), "/base", "here") == path);
+  RC_ASSERT(resolve_pattern(unresolved(path), "/base", "here") == path);
+}
+
+TEST(Files, BracesOfAFolderAreDoubledInAPattern) {
+  ::setenv("LIGHTBENCH_TEST_PLACE", "/a{b", 1);
+  EXPECT_EQ(resolve_pattern("{view}.png", "/jobs/{old}", "here"), "/jobs/{{old}/{view}.png");
+  EXPECT_EQ(resolve_pattern("${LIGHTBENCH_TEST_PLACE}/{view}.png", "/jobs", "here"), "/a{{b/{view}.png");
+  EXPECT_EQ(resolve_pattern("x/../{view}.png", "/jobs", "here"), "/jobs/{view}.png");
 }
 
 }  // namespace

@@ -66,5 +66,28 @@ TEST(JsonReader, MissingKeysAreNamed) {
   EXPECT_THAT(error_of([] { parse("{}").object().at("scene"); }), HasSubstr("the key 'scene' is missing"));
 }
 
+TEST(JsonReader, LimitsStopTheReading) {
+  const JsonLimits limits{.bytes = 1000, .values = 4, .keys = 2, .depth = 2};
+  const auto error = [&](const char* text) {
+    return error_of([&] { JsonValue::parse(text, "job.json", limits); });
+  };
+  EXPECT_EQ(error("[1, 2, 3]"), "no error");
+  EXPECT_EQ(error("[1, 2, 3, 4]"), "job.json: there are more than 4 values");
+  EXPECT_EQ(error("[[1]]"), "no error");
+  EXPECT_EQ(error("[[[]]]"), "job.json: lists and objects stand in one another more than 2 deep");
+  EXPECT_EQ(error(R"({"a": 1, "b": 2})"), "no error");
+  EXPECT_EQ(error(R"({"a": 1, "b": 2, "c": 3})"), "job.json: an object has more than 2 keys");
+}
+
+TEST(JsonReader, DepthIsLimitedBeforeTheStackIs) {
+  EXPECT_THAT(error_of([] { parse(std::string(10'000'000, '[')); }), HasSubstr("in one another"));
+}
+
+TEST(JsonReader, UnknownKeysAreListedInOrder) {
+  auto object = parse(R"({"z": 1, "known": 2, "a": 3})").object();
+  object.find("known");
+  EXPECT_EQ(object.unknown(), (std::vector<std::string>{"z", "a"}));
+}
+
 }  // namespace
 }  // namespace lightbench
