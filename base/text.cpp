@@ -1,25 +1,35 @@
 #include "base/text.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include <fmt/format.h>
 #include <fnmatch.h>
 
+#include "base/utf8.h"
+
 namespace lightbench {
 namespace {
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
+/// The edit distance of two texts, or anything above `most` where it is more than that. Distances up to
+/// `most` never leave a band of that width along the diagonal, so no more is computed.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most) {
+  const std::size_t beyond = most + 1;
+  if (std::max(a.size(), b.size()) - std::min(a.size(), b.size()) > most) return beyond;
   std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t(0));
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = std::min(j, beyond);
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
+    const std::size_t first = i > most ? i - most : 1;
+    const std::size_t last = std::min(b.size(), i + most);
+    std::size_t diagonal = row[first - 1];
+    row[first - 1] = first == 1 ? std::min(i, beyond) : beyond;
+    std::size_t least = row[first - 1];
+    for (std::size_t j = first; j <= last; ++j) {
       const std::size_t substitution = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
       diagonal = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitution});
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitution, beyond});
+      least = std::min(least, row[j]);
     }
+    if (least > most) return beyond;
   }
   return row[b.size()];
 }
@@ -34,8 +44,9 @@ std::optional<std::string> nearest_name(std::string_view name, const std::vector
   std::optional<std::string> best;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const auto& candidate : candidates) {
+    if (best_distance == 0) break;
     const std::size_t distance =
-        edit_distance(name.substr(0, 200), std::string_view(candidate).substr(0, 200));
+        edit_distance(name.substr(0, 200), std::string_view(candidate).substr(0, 200), best_distance - 1);
     if (distance < best_distance && distance < candidate.size()) {
       best = candidate;
       best_distance = distance;
@@ -75,7 +86,21 @@ std::string one_line(std::string_view text) {
   return join(lines, "; ");
 }
 
+std::vector<std::string> last_lines(std::string_view text, std::size_t count) {
+  constexpr std::size_t kLongestLine = 500;
+  std::vector<std::string> lines;
+  for (const auto& line : split(text, '\n'))
+    if (auto t = trimmed(line); !t.empty()) lines.push_back(shortened(t, kLongestLine));
+  if (lines.size() > count) lines.erase(lines.begin(), lines.end() - std::ptrdiff_t(count));
+  return lines;
+}
+
+bool is_pattern(std::string_view text) {
+  return text.find_first_of("*?[") != std::string_view::npos;
+}
+
 bool matches_glob(std::string_view name, std::string_view pattern) {
+  if (pattern.find_first_of("*?[\\") == std::string_view::npos) return name == pattern;
   return fnmatch(std::string(pattern).c_str(), std::string(name).c_str(), 0) == 0;
 }
 
