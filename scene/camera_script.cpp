@@ -7,6 +7,7 @@
 #include <glm/trigonometric.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/json_bytes.h"
 #include "scene/motion.h"
 #include "scene/scene_json.h"
 
@@ -15,6 +16,13 @@ namespace lightbench {
 namespace {
 
 constexpr int kLastFrame = 1000000;
+
+// Degrees. Nearer to 0 and to 180 the size of the picture has no use in 32-bit floats, or is not even finite.
+constexpr double kNarrowestFov = 0.001;
+constexpr double kWidestFov = 179.9;
+
+// A frame's name is its view's name and at most this many bytes more, such as ".000".
+constexpr std::size_t kMaxFrameNameBytes = 10;
 
 // The shortest text of a float, which reads back to the same float.
 std::string number(float x) {
@@ -55,7 +63,9 @@ CameraPatch read_patch(JsonObject& object, const CameraPatch& defaults = {}) {
   if (const auto up = object.find("up")) patch.up = read_point(*up);
   if (const auto fov = object.find("fov")) {
     const double degrees = fov->number();
-    if (!(degrees > 0 && degrees < 180)) fov->fail("fov must lie between 0 and 180 degrees");
+    if (!(degrees >= kNarrowestFov && degrees <= kWidestFov))
+      fov->fail(
+          fmt::format("fov must lie between {} and {} degrees, not {}", kNarrowestFov, kWidestFov, degrees));
     patch.fov = to_radians(degrees);
   }
   return patch;
@@ -98,7 +108,7 @@ std::string camera_text(const Camera& c) {
 }
 
 std::string quoted(const std::string& text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return json_text(text);
 }
 
 std::string view_text(const View& view) {
@@ -121,11 +131,11 @@ View read_view(const JsonValue& value) {
   JsonObject object = value.object();
   View view;
   view.where = value.where();
-  view.name = object.at("name").text();
-  if (view.name.empty()) object.at("name").fail("a view's name must not be empty");
+  const JsonValue name = object.at("name");
   const CameraPatch patch = read_patch(object);
   if (const auto time = object.find("time")) view.time = read_time(*time);
   if (const auto frame = object.find("frame")) view.frame = read_frame(frame->object());
+  view.name = read_name(name, kMaxNameBytes + (view.frame ? kMaxFrameNameBytes : 0));
   const auto keyframes = object.find("keyframes");
   object.finish();
   if (!keyframes) {

@@ -56,9 +56,9 @@ void read_spot(KeyReader& keys, Light& light) {
     keys.fail("a spotlight needs either 'direction' or 'look_at'");
   keys.optional("direction", [&](const JsonValue& v) { light.direction = read_direction(v); });
   keys.optional("look_at", [&](const JsonValue& v) {
-    const glm::vec3 direction = read_point(v) - light.position;
+    const glm::dvec3 direction(read_point(v) - light.position);  // short ones have no length in 32 bits
     if (!(glm::length(direction) > 0)) v.fail("the spotlight's look_at is its position");
-    light.direction = glm::normalize(direction);
+    light.direction = glm::vec3(glm::normalize(direction));
   });
   keys.required("outer", [&](const JsonValue& v) {
     light.outer_angle = float(glm::radians(v.number(kSmallestPositive, kWidestSpot)));
@@ -148,7 +148,7 @@ LightEntry read_light(const JsonValue& value, ProblemList& problems) {
   if (type.empty()) return entry;
   light.kind = LightKind(std::find(kLightTypes.begin(), kLightTypes.end(), type) - kLightTypes.begin());
   light.name = type;
-  keys.optional("name", [&](const JsonValue& v) { light.name = v.text(); });
+  keys.optional("name", [&](const JsonValue& v) { light.name = read_name(v); });
   keys.optional("color", [&](const JsonValue& v) { light.color = read_color(v); });
   keys.optional("power", [&](const JsonValue& v) { light.power = float(v.number(0, kLargestPower)); });
   read_kind(keys, entry);

@@ -92,9 +92,10 @@ struct Facts {
 
 class MtlChecker {
  public:
-  MtlChecker(std::string& text, const std::filesystem::path& file, ProblemList& problems)
+  MtlChecker(std::string& text, const std::filesystem::path& file, ProblemList& problems, std::size_t most)
       : text_(text),
         file_(file),
+        most_(most),
         bad_(problems, Problem::Severity::error, "malformed statements", file.string()),
         unknown_(problems, Problem::Severity::warning, "statements that mean nothing", file.string()) {}
 
@@ -129,6 +130,8 @@ class MtlChecker {
       text_[position(word)] = '#';
       return;
     }
+    if (facts_.size() == most_)
+      throw Error(fmt::format("the file has more than {} materials", most_), here());
     facts_.emplace_back().line = line_;
   }
 
@@ -184,6 +187,7 @@ class MtlChecker {
 
   std::string& text_;
   const std::filesystem::path& file_;
+  std::size_t most_;
   RepeatedProblem bad_;
   RepeatedProblem unknown_;
   std::vector<Facts> facts_;
@@ -232,11 +236,12 @@ MtlMaterial convert(const tinyobj::material_t& parsed, Facts facts, const std::f
 
 }  // namespace
 
-std::vector<MtlMaterial> load_mtl(const std::filesystem::path& file, ProblemList& problems) {
-  std::string text = read_file(file);
+std::vector<MtlMaterial> load_mtl(const std::filesystem::path& file, ProblemList& problems,
+                                  std::size_t most) {
+  std::string text = read_file(file, kLargestTextFile);
   if (text.starts_with("\xEF\xBB\xBF")) text.replace(0, 3, "   ");
   if (text.find('\0') != text.npos) throw Error("is not a text file: it has zero bytes", file.string());
-  const std::vector<Facts> facts = MtlChecker(text, file, problems).run();
+  const std::vector<Facts> facts = MtlChecker(text, file, problems, most).run();
   std::map<std::string, int> unused;
   std::vector<tinyobj::material_t> parsed;
   std::string ignored;
@@ -244,11 +249,13 @@ std::vector<MtlMaterial> load_mtl(const std::filesystem::path& file, ProblemList
   tinyobj::LoadMtl(&unused, &parsed, &stream, &ignored, &ignored);
   std::vector<MtlMaterial> materials;
   std::map<std::string, std::size_t> lines;
+  RepeatedProblem duplicates(problems, Problem::Severity::warning, "materials that stand in the file twice",
+                             file.string());
   for (std::size_t i = 0; i < std::min(facts.size(), parsed.size()); ++i) {
     MtlMaterial m = convert(parsed[i], facts[i], file);
     const auto [first, inserted] = lines.try_emplace(m.name, m.line);
     if (!inserted)
-      problems.warning(
+      duplicates.add(
           fmt::format("material '{}' stands in line {} too; the first one counts", m.name, first->second),
           at_line(file, m.line));
     else

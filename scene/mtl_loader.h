@@ -25,7 +25,12 @@ struct MtlMaterial {
   std::vector<std::string> unshown;  ///< what lightbench does not show: "map_Bump", "transparency", ...
 };
 
+/// The most materials of one MTL file; the parser takes some 3 kB for each.
+inline constexpr std::size_t kMostMaterials = 200'000;
+
 /// Reads an MTL file. What is wrong is listed with its line. The first of two materials with one name counts.
-std::vector<MtlMaterial> load_mtl(const std::filesystem::path& file, ProblemList& problems);
+/// Throws Error where the file cannot be read, or has more than `most` materials.
+std::vector<MtlMaterial> load_mtl(const std::filesystem::path& file, ProblemList& problems,
+                                  std::size_t most = kMostMaterials);
 
 }  // namespace lightbench

@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "base/text.h"
 #include "scene/mesh_builder.h"
+#include "scene/named_files.h"
 #include "scene/obj_parser.h"
 
 namespace lightbench {
@@ -18,25 +20,21 @@ namespace {
 
 using MaterialMap = std::map<std::string, MtlMaterial>;
 
-// A line of `mtllib` names one file, which may have blanks, or several.
-std::vector<std::string> library_names(const std::string& text, const fs::path& folder) {
-  if (text.empty() || find_named_file(text, folder)) return {text};
-  std::vector<std::string> names;
-  for (const std::string& word : split(text, ' '))
-    if (!trimmed(word).empty()) names.push_back(trimmed(word));
-  const bool all_there = std::all_of(names.begin(), names.end(),
-                                     [&](const auto& n) { return find_named_file(n, folder).has_value(); });
-  return all_there ? names : std::vector{text};
-}
-
 class ObjLoader {
  public:
   ObjLoader(const fs::path& file, TextureLoader& textures, ProblemList& problems)
-      : file_(file), textures_(textures), problems_(problems) {}
+      : file_(file),
+        textures_(textures),
+        problems_(problems),
+        missing_libraries_(problems, Problem::Severity::error, "material libraries that cannot be read",
+                           file.string()),
+        unknown_materials_(problems, Problem::Severity::warning, "materials that no library has",
+                           file.string()) {}
 
   ObjModel run(float crease_angle) {
-    model_.files.push_back(file_);
-    ObjData data = parse_obj(file_, problems_);
+    ObjData data;
+    std::string hash = hash_while_reading(file_, [&] { data = parse_obj(file_, problems_); });
+    model_.files.push_back({file_, std::move(hash)});
     if (data.shapes.size() > kMostMeshes) merge_shapes(data);
     for (const TextLine& library : data.material_libraries) read_libraries(library);
     std::vector<int> material_of_name;
@@ -53,29 +51,45 @@ class ObjLoader {
     for (ObjFace& face : data.faces) face.shape = 0;
   }
 
+  // A line of `mtllib` names one file, which may have blanks, or several.
+  std::vector<std::string> library_names(const std::string& text) {
+    const fs::path folder = file_.parent_path();
+    if (text.empty() || named_files_.find(text, folder)) return {text};
+    std::vector<std::string> names;
+    for (const std::string& word : split(text, ' '))
+      if (!trimmed(word).empty()) names.push_back(trimmed(word));
+    const bool all_there = std::all_of(
+        names.begin(), names.end(), [&](const auto& n) { return named_files_.find(n, folder).has_value(); });
+    return all_there ? names : std::vector{text};
+  }
+
   void read_libraries(const TextLine& statement) {
     const std::string where = at_line(file_, statement.line);
     const fs::path folder = file_.parent_path();
-    for (const std::string& name : library_names(statement.text, folder)) {
-      const auto found = find_named_file(name, folder);
+    for (const std::string& name : library_names(statement.text)) {
+      const auto found = named_files_.find(name, folder);
       if (!found) {
-        problems_.error(fmt::format("the material library '{}' is missing", (folder / name).string()), where);
+        missing_libraries_.add(fmt::format("the material library '{}' {}", (folder / name).string(),
+                                           why_not_found(name, folder)),
+                               where);
         missing_library_ = true;
         continue;
       }
-      if (std::find(model_.files.begin(), model_.files.end(), found->file) != model_.files.end()) continue;
+      if (!libraries_.insert(found->file).second) continue;
       if (found->found_elsewhere)
         problems_.warning(
             fmt::format("there is no material library '{}'; '{}' is used", name, found->file.string()),
             where);
-      model_.files.push_back(found->file);
       read_library(found->file);
     }
   }
 
   void read_library(const fs::path& file) {
     try {
-      for (MtlMaterial& m : load_mtl(file, problems_)) {
+      std::vector<MtlMaterial> materials;
+      std::string hash = hash_while_reading(file, [&] { materials = load_mtl(file, problems_); });
+      model_.files.push_back({file, std::move(hash)});
+      for (MtlMaterial& m : materials) {
         const std::string name = m.name;
         library_.try_emplace(name, std::move(m));
       }
@@ -92,11 +106,12 @@ class ObjLoader {
     if (found != library_.end()) {
       fill(material, found->second);
     } else if (!missing_library_) {
-      std::vector<std::string> names;
-      for (const auto& [name, unused] : library_) names.push_back(name);
-      problems_.warning(fmt::format("no material library has the material '{}'{}; it is plain grey", use.text,
-                                    did_you_mean(use.text, names)),
-                        at_line(file_, use.line));
+      unknown_materials_.add(
+          [&] {
+            return fmt::format("no material library has the material '{}'{}; it is plain grey", use.text,
+                               did_you_mean(use.text, library_));
+          },
+          at_line(file_, use.line));
     }
     return int(model_.materials.size()) - 1;
   }
@@ -165,26 +180,27 @@ class ObjLoader {
       problems_.warning(
           fmt::format("{} corners have a normal of zero length; it is computed", statistics.bad_normals),
           where);
+    report_missing_uvs();
+  }
+
+  // Of textured materials that are used, but in no mesh with texture coordinates.
+  void report_missing_uvs() {
+    std::vector<bool> used(model_.materials.size()), used_with_uvs(model_.materials.size());
+    for (const Mesh& mesh : model_.meshes)
+      for (const MeshPart& part : mesh.parts) {
+        used[std::size_t(part.material)] = true;
+        if (!mesh.uvs.empty()) used_with_uvs[std::size_t(part.material)] = true;
+      }
     for (std::size_t i = 0; i < model_.materials.size(); ++i) {
       const Material& m = model_.materials[i];
       const bool textured = m.diffuse_texture != kNoTexture || m.cutout_texture != kNoTexture;
-      if (textured && is_used_without_uvs(int(i)))
+      if (textured && used[i] && !used_with_uvs[i])
         unshown_["a texture, without texture coordinates"].push_back(m.name);
     }
   }
 
-  bool is_used_without_uvs(int material) const {
-    bool used = false;
-    for (const Mesh& mesh : model_.meshes)
-      for (const MeshPart& part : mesh.parts) {
-        if (part.material == material && !mesh.uvs.empty()) return false;
-        used |= part.material == material;
-      }
-    return used;
-  }
-
   void report_materials() {
-    const fs::path& where = model_.files.size() > 1 ? model_.files[1] : file_;
+    const fs::path& where = model_.files.size() > 1 ? model_.files[1].path : file_;
     for (const auto& [kind, names] : unshown_)
       problems_.warning(fmt::format("not shown: {} of {}", kind, counted_names("materials", names)),
                         where.string());
@@ -193,7 +209,11 @@ class ObjLoader {
   const fs::path& file_;
   TextureLoader& textures_;
   ProblemList& problems_;
+  RepeatedProblem missing_libraries_;
+  RepeatedProblem unknown_materials_;
+  NamedFiles named_files_;
   ObjModel model_;
+  std::set<fs::path> libraries_;  // that were read
   MaterialMap library_;
   std::map<std::string, std::vector<std::string>> unshown_;
   int default_material_ = -1;

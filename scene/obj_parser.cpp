@@ -1,6 +1,7 @@
 #include "scene/obj_parser.h"
 
 #include <cmath>
+#include <deque>
 #include <istream>
 #include <streambuf>
 #include <string_view>
@@ -26,15 +27,16 @@ class ViewBuffer : public std::streambuf {
 class NameTable {
  public:
   std::int32_t index_of(std::string_view name) {
-    const auto [found, inserted] = indices_.try_emplace(std::string(name), std::int32_t(names_.size()));
-    if (inserted) names_.push_back(found->first);
-    return found->second;
+    if (const auto found = indices_.find(name); found != indices_.end()) return found->second;
+    const auto index = std::int32_t(names_.size());
+    indices_.emplace(names_.emplace_back(name), index);
+    return index;
   }
-  const std::vector<std::string>& names() const { return names_; }
+  const std::deque<std::string>& names() const { return names_; }
 
  private:
-  std::unordered_map<std::string, std::int32_t> indices_;
-  std::vector<std::string> names_;
+  std::deque<std::string> names_;  // which stay where they are
+  std::unordered_map<std::string_view, std::int32_t> indices_;
 };
 
 // Receives the parser's calls.
@@ -64,7 +66,7 @@ class ObjReceiver {
 
   ObjData take(const std::vector<std::size_t>& material_lines) {
     drop_forward_references();
-    data_.shapes = shapes_.names();
+    data_.shapes.assign(shapes_.names().begin(), shapes_.names().end());
     for (std::size_t i = 0; i < materials_.names().size(); ++i)
       data_.materials.push_back({materials_.names()[i], material_lines[first_use_[i]]});
     return std::move(data_);
@@ -108,7 +110,7 @@ class ObjReceiver {
   void report(std::size_t face_number, const tinyobj::index_t& index) {
     const auto text = [](int i) { return i == 0 ? std::string() : fmt::format("{}", i); };
     std::string where = file_.string();
-    if (out_of_range_.count() < 10) where = at_line(file_, line_of_statement(text_, "f", face_number));
+    if (out_of_range_.lists_next()) where = at_line(file_, line_of_statement(text_, "f", face_number));
     out_of_range_.add(
         fmt::format("index out of range: {}/{}/{} of {} vertices, {} texture coordinates and {} normals",
                     index.vertex_index, text(index.texcoord_index), text(index.normal_index),
@@ -158,6 +160,7 @@ class ObjReceiver {
     begin_shape();
   }
   void begin_shape() {
+    if (shapes_.names().size() > kMostMeshes) return;
     const bool both = !object_.empty() && !group_.empty() && object_ != group_;
     shape_ = shapes_.index_of(both ? object_ + "/" + group_ : group_.empty() ? object_ : group_);
   }
@@ -180,8 +183,8 @@ class ObjReceiver {
 
 }  // namespace
 
-ObjData parse_obj(const std::filesystem::path& file, ProblemList& problems) {
-  ObjText checked = check_obj_text(read_file(file), file, problems);
+ObjData parse_obj(const std::filesystem::path& file, ProblemList& problems, const ObjLimits& limits) {
+  ObjText checked = check_obj_text(read_file(file, limits.file_bytes), file, problems, limits);
   ObjReceiver receiver(checked.text, file, problems);
   ViewBuffer buffer(checked.text);
   std::istream stream(&buffer);

@@ -14,6 +14,9 @@
 
 namespace lightbench {
 
+/// A model of more objects and groups becomes a single mesh, so that no more of their names are kept.
+inline constexpr std::size_t kMostMeshes = 2000;
+
 /// Indices from 0 into the arrays of ObjData; -1 where the file gives none.
 struct ObjCorner {
   std::int32_t position = -1;
@@ -36,12 +39,13 @@ struct ObjData {
   std::vector<glm::vec3> colors;  ///< of each position, or empty
   std::vector<ObjCorner> corners;
   std::vector<ObjFace> faces;
-  std::vector<std::string> shapes;  ///< names of objects and groups, each once
+  std::vector<std::string> shapes;  ///< names of objects and groups, each once; kMostMeshes + 1 for any more
   std::vector<TextLine> materials;  ///< names in the order of their first use
   std::vector<TextLine> material_libraries;
 };
 
-/// Reads an OBJ file without its materials. What is wrong is listed with its line, and left out.
-ObjData parse_obj(const std::filesystem::path& file, ProblemList& problems);
+/// Reads an OBJ file without its materials. What is wrong is listed with its line, and left out. Throws Error
+/// where the file cannot be read, or has more than `limits` allows.
+ObjData parse_obj(const std::filesystem::path& file, ProblemList& problems, const ObjLimits& limits = {});
 
 }  // namespace lightbench

@@ -19,6 +19,7 @@ constexpr std::size_t kMaxIndexDigits = 9;
 constexpr std::array<std::string_view, 16> kIgnored{
     "s",   "vp",         "vw",        "t",     "mg",    "bevel", "c_interp", "d_interp",
     "lod", "shadow_obj", "trace_obj", "ctech", "stech", "deg",   "cstype",   "end"};
+constexpr std::array<std::string_view, 4> kNaming{"o", "g", "usemtl", "mtllib"};
 constexpr std::array<std::string_view, 12> kFreeForm{"curv", "curv2", "surf", "parm", "trim", "hole",
                                                      "scrv", "sp",    "con",  "bmat", "step", "cdc"};
 
@@ -91,8 +92,10 @@ bool is_corner(std::string_view word) {
 
 class ObjTextChecker {
  public:
-  ObjTextChecker(std::string text, const std::filesystem::path& file, ProblemList& problems)
+  ObjTextChecker(std::string text, const std::filesystem::path& file, ProblemList& problems,
+                 const ObjLimits& limits)
       : file_(file),
+        limits_(limits),
         bad_numbers_(problems, Problem::Severity::error, "lines with what is no finite number",
                      file.string()),
         short_lines_(problems, Problem::Severity::error, "lines that are too short", file.string()),
@@ -117,6 +120,10 @@ class ObjTextChecker {
 
  private:
   void check_line(std::string_view line) {
+    if (line.size() > limits_.line_bytes)
+      throw Error(fmt::format("the line has {}, and at most {} are read", bytes_text(line.size()),
+                              bytes_text(limits_.line_bytes)),
+                  here());
     std::string_view rest = line;
     const std::string_view keyword = take_word(rest);
     if (keyword.empty() || keyword[0] == '#') return;
@@ -124,12 +131,8 @@ class ObjTextChecker {
     if (keyword == "vn") return check_vector(arguments(rest), 3, Kind::normal);
     if (keyword == "vt") return check_vector(arguments(rest), 1, Kind::texture_coordinate);
     if (keyword == "f") return check_face(keyword, arguments(rest));
-    if (keyword == "mtllib") {
-      result_.material_libraries.push_back({std::string(stripped(rest)), line_});
-      return;
-    }
-    if (keyword == "usemtl") return check_material(keyword, rest);
-    if (keyword == "o" || keyword == "g" || contains(kIgnored, keyword)) return;
+    if (contains(kNaming, keyword)) return check_name(keyword, stripped(rest));
+    if (contains(kIgnored, keyword)) return;
     if (keyword == "l" || keyword == "p") {
       ++lines_and_points_;
       comment_out(keyword);
@@ -141,8 +144,23 @@ class ObjTextChecker {
     }
   }
 
-  void check_material(std::string_view keyword, std::string_view rest) {
-    if (!stripped(rest).empty()) return result_.material_lines.push_back(line_);
+  void count(std::size_t& counted, std::size_t more, std::size_t most, const char* what) const {
+    counted += more;
+    if (counted > most) throw Error(fmt::format("the file has more than {} {}", most, what), here());
+  }
+
+  void check_name(std::string_view keyword, std::string_view name) {
+    count(counts_.names, 1, limits_.names, "names of objects, groups, materials and libraries");
+    if (name.size() > limits_.name_bytes)
+      throw Error(fmt::format("the name has {}, and at most {} are read", bytes_text(name.size()),
+                              bytes_text(limits_.name_bytes)),
+                  here());
+    if (keyword == "mtllib") result_.material_libraries.push_back({std::string(name), line_});
+    if (keyword == "usemtl") check_material(keyword, name);
+  }
+
+  void check_material(std::string_view keyword, std::string_view name) {
+    if (!name.empty()) return result_.material_lines.push_back(line_);
     short_lines_.add(fmt::format("usemtl without a name{}", cut()), here());
     comment_out(keyword);
   }
@@ -177,13 +195,17 @@ class ObjTextChecker {
   }
 
   void check_vertex(std::string_view rest) {
+    count(counts_.vertices, 1, limits_.vertices, "vertices");
     bool not_finite = false;
     if (check_numbers(rest, 3, not_finite)) take_color(rest);
     if (not_finite) bad_numbers_.add("a vertex that is not finite, or beyond 1e18", here());
-    ++vertices_;
   }
 
   void check_vector(std::string_view rest, std::size_t at_least, Kind kind) {
+    if (kind == Kind::normal)
+      count(counts_.normals, 1, limits_.vertices, "normals");
+    else
+      count(counts_.uvs, 1, limits_.vertices, "texture coordinates");
     bool not_finite = false;
     check_numbers(rest, at_least, not_finite);
     if (!not_finite) return;
@@ -197,7 +219,10 @@ class ObjTextChecker {
 
   void check_face(std::string_view keyword, std::string_view rest) {
     std::size_t corners = 0;
-    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++corners) {
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+      count(counts_.corners, 1, limits_.corners, "corners of faces");
+      if (++corners > limits_.polygon_corners)
+        throw Error(fmt::format("a face has more than {} corners", limits_.polygon_corners), here());
       if (is_corner(word)) {
         blank_trailing_slashes(word);
         continue;
@@ -205,7 +230,7 @@ class ObjTextChecker {
       bad_corners_.add(fmt::format("'{}' is not a corner of a face{}", word.substr(0, 40), cut()), here());
       return comment_out(keyword);
     }
-    if (corners >= 3) return;
+    if (corners >= 3) return count(counts_.triangles, corners - 2, limits_.triangles, "triangles");
     comment_out(keyword);
     if (truncated_)
       short_lines_.add(fmt::format("a face of {} corners{}", corners, cut()), here());
@@ -222,7 +247,7 @@ class ObjTextChecker {
     std::array<std::string_view, 6> words;
     for (std::string_view& word : words) word = take_word(rest);
     if (words[5].empty()) return;
-    result_.colors.resize(vertices_, glm::vec3(1.0f));
+    result_.colors.resize(counts_.vertices - 1, glm::vec3(1.0f));
     result_.colors.emplace_back(number_of(words[3]), number_of(words[4]), number_of(words[5]));
   }
 
@@ -237,7 +262,7 @@ class ObjTextChecker {
       for (glm::vec3& c : result_.colors) c /= 255.0f;
     }
     // Those without one are white.
-    if (!result_.colors.empty()) result_.colors.resize(vertices_, glm::vec3(1.0f));
+    if (!result_.colors.empty()) result_.colors.resize(counts_.vertices, glm::vec3(1.0f));
   }
 
   void finish() {
@@ -256,7 +281,13 @@ class ObjTextChecker {
   std::string here() const { return at_line(file_, line_); }
   const char* cut() const { return truncated_ ? "; the file ends in the middle of this line" : ""; }
 
+  struct Counts {
+    std::size_t vertices = 0, uvs = 0, normals = 0, corners = 0, triangles = 0, names = 0;
+  };
+
   const std::filesystem::path& file_;
+  const ObjLimits& limits_;
+  Counts counts_;
   ObjText result_;
   RepeatedProblem bad_numbers_;
   RepeatedProblem short_lines_;
@@ -264,7 +295,6 @@ class ObjTextChecker {
   RepeatedProblem bad_texture_coordinates_;
   RepeatedProblem unknown_;
   ProblemList& problems_;
-  std::size_t vertices_ = 0;
   std::size_t short_faces_ = 0;
   std::size_t lines_and_points_ = 0;
   std::size_t free_form_ = 0;
@@ -274,13 +304,14 @@ class ObjTextChecker {
 
 }  // namespace
 
-ObjText check_obj_text(std::string text, const std::filesystem::path& file, ProblemList& problems) {
+ObjText check_obj_text(std::string text, const std::filesystem::path& file, ProblemList& problems,
+                       const ObjLimits& limits) {
   if (text.starts_with("\xEF\xBB\xBF")) text.replace(0, 3, "   ");
   if (text.find('\0') != text.npos) {
     problems.error("is not a text file: it has zero bytes", file.string());
     return {};
   }
-  return ObjTextChecker(std::move(text), file, problems).run();
+  return ObjTextChecker(std::move(text), file, problems, limits).run();
 }
 
 std::size_t line_of_statement(std::string_view text, std::string_view keyword, std::size_t n) {

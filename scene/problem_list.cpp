@@ -19,15 +19,11 @@ void ProblemList::note(std::string what, std::string where) {
   add(Problem::Severity::note, std::move(what), std::move(where));
 }
 void ProblemList::add(Problem::Severity severity, std::string what, std::string where) {
+  if (severity == Problem::Severity::error) ++errors_;
   problems_.push_back({severity, std::move(what), std::move(where)});
 }
 void ProblemList::add(const Error& error) {
   this->error(error.message(), error.where());
-}
-
-bool ProblemList::has_errors() const {
-  return std::any_of(problems_.begin(), problems_.end(),
-                     [](const Problem& p) { return p.severity == Problem::Severity::error; });
 }
 
 RepeatedProblem::RepeatedProblem(ProblemList& list, Problem::Severity severity, std::string kind,
@@ -35,7 +31,12 @@ RepeatedProblem::RepeatedProblem(ProblemList& list, Problem::Severity severity, 
     : list_(list), severity_(severity), kind_(std::move(kind)), file_(std::move(file)) {}
 
 RepeatedProblem::~RepeatedProblem() {
+  finish();
+}
+
+void RepeatedProblem::finish() {
   if (count_ > kListed) list_.add(severity_, fmt::format("{} more {}", count_ - kListed, kind_), file_);
+  count_ = 0;
 }
 
 void RepeatedProblem::add(std::string what, std::string where) {

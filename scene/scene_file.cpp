@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -13,10 +15,13 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "base/hash.h"
 #include "base/text.h"
 #include "scene/box_mesh.h"
 #include "scene/emitting_surface.h"
 #include "scene/light_json.h"
+#include "scene/light_points.h"
+#include "scene/material_overrides.h"
 #include "scene/motion.h"
 #include "scene/nearest_surface.h"
 #include "scene/obj_loader.h"
@@ -31,6 +36,14 @@ namespace {
 
 constexpr double kDefaultCreaseAngle = 40;
 
+// After this many errors the rest of a list is not read.
+constexpr std::size_t kMostErrors = 1000;
+
+// A scene's models may have this many triangles in all, as many as one file may hold. A model counts once,
+// however many entities show it.
+constexpr std::size_t kMostTriangles = 50'000'000;
+constexpr std::size_t kMostEntities = 1'000'000;
+
 // Where an OBJ's meshes stand in the scene.
 struct PlacedModel {
   int first_mesh = 0;
@@ -41,10 +54,12 @@ class SceneLoader {
  public:
   LoadedScene load_json(const fs::path& file) {
     file_ = file;
-    scene_.files.push_back(file);
     scene_.name = file.stem().string();
     try {
-      read_scene(JsonValue::parse_file(file));
+      std::optional<JsonValue> text;
+      std::string hash = hash_while_reading(file, [&] { text = JsonValue::parse_file(file); });
+      add_file({file, std::move(hash)});
+      read_scene(*text);
     } catch (const Error& error) {
       problems_.add(error);
     }
@@ -76,7 +91,7 @@ class SceneLoader {
  private:
   void read_scene(const JsonValue& root) {
     KeyReader keys(root, problems_);
-    keys.optional("name", [&](const JsonValue& v) { scene_.name = v.text(); });
+    keys.optional("name", [&](const JsonValue& v) { scene_.name = read_name(v); });
     keys.required("entities",
                   [&](const JsonValue& v) { read_list(v, [&](const auto& e) { read_entity(e); }); });
     keys.optional("materials", [&](const JsonValue& v) { read_overrides(v); });
@@ -99,14 +114,23 @@ class SceneLoader {
   // Each item's problem is listed, and the next one read.
   template <typename Read>
   void read_list(const JsonValue& list, Read read) {
-    for (const JsonValue& item : list.items()) try {
+    const std::size_t before = problems_.errors();
+    for (const JsonValue& item : list.items()) {
+      if (problems_.errors() - before > kMostErrors)
+        return problems_.error("there are too many errors: the rest is not read", list.where());
+      try {
         read(item);
       } catch (const Error& error) {
         problems_.add(error);
       }
+    }
   }
 
   void add_light(const LightEntry& entry, const std::string& where) {
+    if (light_points_ > kMostLightPoints) return;
+    light_points_ += entry.emitting_surface ? 1 : light_point_count(entry.light);
+    if (light_points_ > kMostLightPoints)
+      throw Error(fmt::format("the lights have more than {} points in all", kMostLightPoints), where);
     if (!entry.emitting_surface) return scene_.lights.push_back(entry.light);
     // One of the wrong shape is a problem already.
     if (!problems_.has_errors()) add_emitting_surface(scene_, entry.light);
@@ -160,7 +184,7 @@ class SceneLoader {
 
   // What all kinds of entities say of where they stand.
   static void read_place(KeyReader& keys, Entity& entity) {
-    keys.optional("name", [&](const JsonValue& v) { entity.name = v.text(); });
+    keys.optional("name", [&](const JsonValue& v) { entity.name = read_name(v); });
     keys.optional("transform", [&](const JsonValue& v) { entity.transform = read_transform(v); });
     keys.optional("keyframes", [&](const JsonValue& v) { entity.motion.keys = read_motion(v); });
   }
@@ -206,27 +230,36 @@ class SceneLoader {
     add_entity(entity);
   }
 
-  // The model of an OBJ file, read at its first use.
+  // The model of an OBJ file, read at its first use. One that cannot be read is a problem then, and empty
+  // after that.
   PlacedModel model(const fs::path& file, double crease_angle) {
     std::error_code error;
     const fs::path canonical = fs::weakly_canonical(file, error);
     const auto key = std::pair(error ? file : canonical, crease_angle);
-    if (const auto found = models_.find(key); found != models_.end()) return found->second;
+    const auto [found, is_first] = models_.try_emplace(key);
+    if (!is_first) return found->second;
     ObjModel loaded = load_obj(file, float(glm::radians(crease_angle)), textures_, problems_);
     const PlacedModel placed{int(scene_.meshes.size()), int(loaded.meshes.size())};
     const int first_material = int(scene_.materials.size());
     for (Material& material : loaded.materials) scene_.materials.push_back(std::move(material));
     for (Mesh& mesh : loaded.meshes) {
+      triangles_ += mesh.triangles.size();
+      if (triangles_ > kMostTriangles)
+        throw Error(fmt::format("the scene's models have more than {} triangles", kMostTriangles),
+                    file.string());
       for (MeshPart& part : mesh.parts) part.material += first_material;
       scene_.meshes.push_back(std::move(mesh));
     }
-    std::copy(loaded.unused_materials.begin(), loaded.unused_materials.end(),
-              std::back_inserter(unused_materials_));
-    for (const fs::path& read : loaded.files)
-      if (std::find(scene_.files.begin(), scene_.files.end(), read) == scene_.files.end())
-        scene_.files.push_back(read);
-    models_.emplace(key, placed);
-    return placed;
+    unused_materials_.insert(loaded.unused_materials.begin(), loaded.unused_materials.end());
+    for (const SourceFile& read : loaded.files) add_file(read);
+    return found->second = placed;
+  }
+
+  // A model that stands in the scene with several crease angles is read several times.
+  void add_file(const SourceFile& file) {
+    const auto [known, is_new] = files_.try_emplace(file.path, file.hash);
+    if (is_new) scene_.files.push_back(file);
+    if (known->second != file.hash) throw Error("was changed while the scene was read", file.path.string());
   }
 
   // An entity like `whole` for each mesh of the model.
@@ -241,47 +274,27 @@ class SceneLoader {
   }
 
   void add_entity(Entity entity) {
+    if (scene_.entities.size() == kMostEntities)
+      throw Error(fmt::format("the scene has more than {} entities", kMostEntities), file_.string());
     entity.motion.rest = entity.transform;
     scene_.entities.push_back(std::move(entity));
   }
 
   void read_overrides(const JsonValue& value) {
+    MaterialOverrides overrides(scene_.materials, unused_materials_, problems_, value.where());
     JsonObject object = value.object();
     for (const std::string& name : object.keys()) {
       const JsonValue patch_value = object.at(name);
       try {
-        apply_override(name, read_material_patch(patch_value, problems_), patch_value.where());
+        overrides.apply(name, read_material_patch(patch_value, problems_), patch_value.where());
       } catch (const Error& error) {
         problems_.add(error);
       }
     }
   }
 
-  // A name that some material has is that name; else it may be a pattern.
-  void apply_override(const std::string& name, const MaterialPatch& patch, const std::string& where) {
-    const auto has_name = [&](const Material& m) { return m.name == name; };
-    const bool exact = std::any_of(scene_.materials.begin(), scene_.materials.end(), has_name);
-    bool used = false;
-    for (Material& material : scene_.materials) {
-      if (exact ? material.name != name : !matches_glob(material.name, name)) continue;
-      patch.apply(material);
-      used = true;
-    }
-    if (used) return;
-    std::vector<std::string> names = unused_materials_;
-    if (std::any_of(names.begin(), names.end(),
-                    [&](const auto& n) { return matches_glob(n, name) || n == name; }))
-      return problems_.note(fmt::format("no face has the material '{}'", name), where);
-    for (const Material& material : scene_.materials) names.push_back(material.name);
-    if (name.find_first_of("*?[") != name.npos)
-      problems_.warning(fmt::format("no material matches '{}'", name), where);
-    else
-      problems_.error(fmt::format("no model has the material '{}'{}", name, did_you_mean(name, names)),
-                      where);
-  }
-
   LoadedScene finish() {
-    for (const fs::path& texture : textures_.files()) scene_.files.push_back(texture);
+    for (const SourceFile& texture : textures_.files()) scene_.files.push_back(texture);
     scene_.textures = textures_.take_textures();
     set_time(scene_, 0);
     check_scene(scene_, file_, problems_);
@@ -293,7 +306,10 @@ class SceneLoader {
   ProblemList problems_;
   TextureLoader textures_{problems_};
   std::map<std::pair<fs::path, double>, PlacedModel> models_;
-  std::vector<std::string> unused_materials_;
+  std::map<fs::path, std::string> files_;  // hashes of the scene file and of all models' files
+  std::size_t triangles_ = 0;              // of all models
+  std::size_t light_points_ = 0;           // of all lights up to the first one that is too much
+  std::set<std::string> unused_materials_;
 };
 
 std::string lower_case_extension(const fs::path& file) {

@@ -1,5 +1,6 @@
 #include "scene/scene_json.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -9,14 +10,13 @@
 #include <glm/vector_relational.hpp>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "scene/transform.h"
 
 namespace lightbench {
 namespace {
 
-constexpr double kLargestCoordinate = 1e15;
 constexpr double kLargestColor = 1e6;
-constexpr double kLargestTime = 1e6;
 
 // A matrix whose volume is below this share of its columns' lengths is flat in 32-bit floats.
 constexpr double kSmallestVolume = 1e-6;
@@ -46,7 +46,8 @@ glm::dmat4 read_matrix(const JsonValue& value) {
 }
 
 glm::dvec3 read_scale(const JsonValue& value) {
-  return value.is_number() ? glm::dvec3(value.number()) : glm::dvec3(read_point(value));
+  return value.is_number() ? glm::dvec3(value.number(-kLargestCoordinate, kLargestCoordinate))
+                           : glm::dvec3(read_point(value));
 }
 
 }  // namespace
@@ -90,6 +91,19 @@ glm::mat4 read_transform(const JsonValue& value) {
   }
   check_not_singular(value, m);
   return glm::mat4(m);
+}
+
+std::string name_problem(const std::string& name, std::size_t most) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  if (trimmed(name).empty()) return "must not be empty";
+  if (name.size() > most) return fmt::format("must have at most {} bytes", most);
+  return std::any_of(name.begin(), name.end(), is_control) ? "must not have control characters" : "";
+}
+
+std::string read_name(const JsonValue& value, std::size_t most) {
+  std::string name = value.text();
+  if (const std::string problem = name_problem(name, most); !problem.empty()) value.fail("a name " + problem);
+  return name;
 }
 
 double read_time(const JsonValue& value) {
@@ -160,19 +174,9 @@ void KeyReader::optional(const std::string& key, const std::function<void(const 
 }
 
 void KeyReader::finish() {
-  // `finish` of the object names the first unknown key. Asking for the keys one after the other lets it name
-  // all.
-  std::string last;
-  for (const std::string& key : object_.keys()) {
-    try {
-      object_.finish();
-      return;
-    } catch (const Error& error) {
-      if (error.message() != last) problems_.add(error);
-      last = error.message();
-    }
-    object_.find(key);
-  }
+  RepeatedProblem unknown(problems_, Problem::Severity::error, "unknown keys", where());
+  for (const std::string& key : object_.unknown())
+    unknown.add([&] { return object_.unknown_key_text(key); }, where());
 }
 
 MaterialPatch read_material_patch(const JsonValue& value, ProblemList& problems) {

@@ -15,7 +15,9 @@
 /// The values that scene files are made of. All of these throw Error with the JSON path.
 namespace lightbench {
 
-/// Three numbers that 32-bit floats can square: at most 1e15.
+/// The largest coordinate, so that 32-bit floats can square it.
+inline constexpr double kLargestCoordinate = 1e15;
+/// Three numbers of at most kLargestCoordinate.
 glm::vec3 read_point(const JsonValue& value);
 /// The same, and not zero; returned with length 1.
 glm::vec3 read_direction(const JsonValue& value);
@@ -25,7 +27,15 @@ glm::vec3 read_color(const JsonValue& value);
 /// {"translate", "rotate", "scale"} or {"matrix"}; affine and not singular.
 glm::mat4 read_transform(const JsonValue& value);
 
-double read_time(const JsonValue& value);  ///< seconds, at most a million
+/// The most bytes of a name; tables show it and files are named after it.
+inline constexpr std::size_t kMaxNameBytes = 200;
+/// What keeps a text from being a name of at most `most` bytes ("must not be empty"), or nothing.
+std::string name_problem(const std::string& name, std::size_t most = kMaxNameBytes);
+/// A name: not empty, no control characters, at most `most` bytes.
+std::string read_name(const JsonValue& value, std::size_t most = kMaxNameBytes);
+
+inline constexpr double kLargestTime = 1e6;  ///< seconds
+double read_time(const JsonValue& value);    ///< seconds, at most kLargestTime
 
 /// One of a list of keyframes; the caller reads the other keys and finishes the object.
 struct Keyframe {

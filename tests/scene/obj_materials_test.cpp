@@ -304,9 +304,47 @@ INSTANTIATE_TEST_SUITE_P(
         BadMtl{"TruncatedTexture", "newmtl a\nmap_Kd cut.png\n", "error m.mtl:2: the texture 'cut.png': "},
         BadMtl{"TextAsTexture", "newmtl a\nmap_Kd text.png\n", "error m.mtl:2: the texture 'text.png': "},
         BadMtl{"HugeTexture", "newmtl a\nmap_Kd huge.ppm\n", "100000 x 100000 pixels is too large"},
-        BadMtl{"FolderAsTexture", "newmtl a\nmap_Kd .\n", "error m.mtl:2: the texture"},
+        BadMtl{"FolderAsTexture", "newmtl a\nmap_Kd .\n",
+               "error m.mtl:2: the texture '' is not a regular file"},
         BadMtl{"Misspelt", "newmtl aa\n", "no material library has the material 'a'"}),
     [](const auto& test) { return test.param.name; });
+
+TEST(ObjMaterials, OfManyTexturesThatCannotBeReadTheFirstAreListed) {
+  const SceneTestFiles files;
+  std::string mtl;
+  std::vector<std::string> names;
+  for (int i = 0; i < 20; ++i) {
+    names.push_back("m" + std::to_string(i));
+    mtl += "newmtl " + names.back() + "\nmap_Kd gone" + names.back() + ".png\n";
+  }
+  const auto loaded = load_materials(files, names, mtl);
+  EXPECT_THAT(loaded.problems, AllOf(HasSubstr("error m.mtl:10: the texture 'gonem4.png' is missing"),
+                                     HasSubstr("15 more textures that cannot be read")));
+}
+
+TEST(ObjMaterials, OfManyMaterialsOfOneNameTheFirstAreListed) {
+  const SceneTestFiles files;
+  std::string mtl;
+  for (int i = 0; i < 50; ++i) mtl += "newmtl a\n";
+  EXPECT_THAT(load_materials(files, {"a"}, mtl).problems,
+              HasSubstr("warning m.mtl: 44 more materials that stand in the file twice"));
+}
+
+TEST(ObjMaterials, OfManyUnknownMaterialsAndLibrariesTheFirstAreListed) {
+  const SceneTestFiles files;
+  std::string obj(kSquareObj);
+  std::string lost = obj;
+  for (int i = 0; i < 50; ++i) {
+    obj += "usemtl paint" + std::to_string(i) + "\nf 1 2 3\n";
+    lost += "mtllib lost" + std::to_string(i) + ".mtl\n";
+  }
+  files.write("m.mtl", "newmtl pain7\n");
+  files.write("m.obj", "mtllib m.mtl\n" + obj);
+  files.write("n.obj", lost);
+  EXPECT_THAT(load(files, "m.obj").problems, AllOf(HasSubstr("the material 'paint0' (did you mean 'pain7'?)"),
+                                                   HasSubstr("45 more materials that no library has")));
+  EXPECT_THAT(load(files, "n.obj").problems, HasSubstr("45 more material libraries that cannot be read"));
+}
 
 }  // namespace
 }  // namespace lightbench
