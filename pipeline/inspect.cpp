@@ -6,12 +6,14 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/input_file.h"
 #include "pipeline/concrete.h"
 #include "pipeline/snapshot.h"
 #include "renderer/radiance/object_bake.h"
 #include "renderer/rays.h"
 #include "renderer/renderer.h"
 #include "renderer/techniques/images.h"
+#include "scene/light_points.h"
 #include "scene/motion.h"
 #include "scene/random_views.h"
 #include "scene/scene_file.h"
@@ -50,12 +52,22 @@ void inspect_objects(const Job& job, const Scene& scene, SceneFacts& facts) {
   }
 }
 
+}  // namespace
+
+KeyParts file_parts(const Scene& scene) {
+  KeyParts parts;
+  for (const auto& file : scene.files) parts.emplace_back(file.path.filename().string(), file.hash);
+  return parts;
+}
+
 SceneFacts inspect_scene(const Job& job, const JobScene& job_scene) {
   SceneFacts facts;
   try {
     Scene scene = load_scene(job_scene.file);
-    for (const auto& file : scene.files) facts.files.emplace_back(file.filename().string(), hash_file(file));
+    facts.files = file_parts(scene);
     facts.triangles = triangle_count(scene);
+    facts.light_points = light_point_count(scene);
+    facts.texture_bytes = texture_bytes(scene);
     facts.moves = moves(scene);
     facts.warnings = scene.warnings;
     facts.credits = scene.credits;
@@ -71,6 +83,8 @@ SceneFacts inspect_scene(const Job& job, const JobScene& job_scene) {
   return facts;
 }
 
+namespace {
+
 /// The picture that an `images` variant shows of a view; one that is not there fails when it is read.
 KeyParts picture_parts(const JobVariant& variant, const std::string& scene, const std::string& view) {
   if (variant.technique != images_technique().name) return {};
@@ -84,7 +98,7 @@ KeyParts picture_parts(const JobVariant& variant, const std::string& scene, cons
 
 }  // namespace
 
-PlanFacts inspect(const Job& job, const std::string& gl) {
+PlanFacts inspect(const Job& job, const std::string& gl, const InspectScenes& inspect_scenes) {
   PlanFacts facts;
   facts.gl = gl;
   const auto needs_gl = [](const JobVariant& v) { return find_technique(v.technique, "").needs_gl; };
@@ -98,8 +112,8 @@ PlanFacts inspect(const Job& job, const std::string& gl) {
       facts.missing_tools[reference.kind] = error.what();
     }
   }
+  facts.scenes = inspect_scenes(job);
   for (const auto& scene : job.scenes) {
-    facts.scenes.push_back(inspect_scene(job, scene));
     auto& pictures = facts.pictures.emplace_back();
     for (const auto& view : views_of(scene)) {
       auto& row = pictures.emplace_back();
@@ -113,6 +127,10 @@ std::vector<View> draw_job_views(const JobScene& job_scene, const RandomViewsReq
                                  double aspect) {
   Scene scene = load_scene(job_scene.file);
   if (job_scene.sequence) set_time(scene, job_scene.sequence->start);
+  return draw_views(scene, request, aspect);
+}
+
+std::vector<View> draw_views(const Scene& scene, const RandomViewsRequest& request, double aspect) {
   const SceneRays rays(scene);
   RandomViewOptions options;
   options.count = request.count;

@@ -16,6 +16,7 @@
 #include "renderer/path_tracer.h"
 #include "renderer/technique.h"
 #include "reports/metric.h"
+#include "scene/light_points.h"
 
 namespace lightbench {
 namespace {
@@ -23,13 +24,23 @@ namespace {
 /// Raised when a task's outputs change though nothing else in its key does.
 constexpr int kSnapshotVersion = 1;
 constexpr int kReferenceVersion = 1;
-constexpr int kScoreVersion = 1;
+constexpr int kScoreVersion = 2;
 
 /// Guesses for an image of a megapixel; what was measured in earlier runs replaces them.
 constexpr double kSnapshotSeconds = 0.6;
 constexpr double kPathSeconds = 20;
 constexpr double kRadiositySeconds = 15;
 constexpr double kScoreSeconds = 0.25;
+
+/// How often a task holds the scene's textures: software OpenGL keeps 16 bits a component beside our 8, and
+/// an export encodes them.
+constexpr double kDrawnTextures = 3;
+constexpr double kExportedTextures = 2;
+
+/// Bytes as megabytes that fit a task's resources, however many.
+int megabytes_of(double bytes) {
+  return int(std::min(bytes / 1e6, 1e9));
+}
 
 std::string vec_text(const glm::vec3& v) {
   return fmt::format("{} {} {}", v.x, v.y, v.z);
@@ -90,6 +101,13 @@ class Planner {
     }
   }
 
+  /// What the shadow maps of a scene's lights take.
+  static double shadow_seconds(const ParamValues& params, const SceneFacts& facts) {
+    if (!params.all().contains("shadow_size") || params.text("shadows") == "none") return 0;
+    const double size = params.integer("shadow_size") / 2048.0;
+    return kShadowMapSeconds * double(facts.light_points) * size * size;
+  }
+
   void add_size(KeyParts& parts) const {
     parts.emplace_back("size", fmt::format("{}x{}", job().width, job().height));
     parts.emplace_back("samples", std::to_string(job().samples));
@@ -121,8 +139,11 @@ class Planner {
       task.outputs.push_back(buffer_stem(job(), scene, view, variant.name, buffer) + ".png");
     }
     task.group = "scene " + std::to_string(scene);
-    task.expected_seconds = (technique.offline ? kPathSeconds : kSnapshotSeconds) * (0.3 + megapixels());
-    task.resources.memory_mb = int(200 + 300 * megapixels() + double(facts.triangles) / 2000);
+    task.expected_seconds = (technique.offline ? kPathSeconds : kSnapshotSeconds) * (0.3 + megapixels()) +
+                            shadow_seconds(variant_params(variant), facts);
+    task.timeout_seconds = std::max(task.timeout_seconds, 20 * task.expected_seconds);
+    task.resources.memory_mb = int(200 + 300 * megapixels() + double(facts.triangles) / 2000) +
+                               megabytes_of(kDrawnTextures * double(facts.texture_bytes));
     if (task.refused.empty() && !facts.unsupported.empty())
       task.refused = join(facts.unsupported[std::size_t(variant_index)], "; ");
     if (technique.needs_bake && task.refused.empty()) bakes_.need_objects(task);
@@ -139,7 +160,8 @@ class Planner {
     task.reference = int(&reference - job().references.data());
     task.group = "scene " + std::to_string(scene);
     task.expected_seconds = 0.05 + double(draft_.facts(scene).triangles) * 3e-6;
-    task.resources.memory_mb = int(100 + double(draft_.facts(scene).triangles) / 1000);
+    task.resources.memory_mb = int(100 + double(draft_.facts(scene).triangles) / 1000) +
+                               megabytes_of(kExportedTextures * double(draft_.facts(scene).texture_bytes));
     return shared_exports_[reference.kind] = draft_.add(std::move(task));
   }
 
@@ -154,7 +176,7 @@ class Planner {
       task.outputs.push_back(stem + suffix);
     task.group = "scene " + std::to_string(scene);
     task.expected_seconds = 0.02;
-    task.resources.memory_mb = 100;
+    task.resources.memory_mb = 100 + megabytes_of(double(draft_.facts(scene).texture_bytes));
     return draft_.add(std::move(task));
   }
 
@@ -196,7 +218,8 @@ class Planner {
     const double seconds = kind.bounces(params) > 0 ? kRadiositySeconds : kRadiositySeconds / 10;
     task.expected_seconds = 1 + (0.3 + megapixels()) * seconds * detail(facts);
     task.timeout_seconds = double(renderings) * double(reference.timeout.count()) / 1000 + 60;
-    task.resources.memory_mb = int(100 + 100 * megapixels() + double(facts.triangles) / 1000);
+    task.resources.memory_mb = int(100 + 100 * megapixels() + double(facts.triangles) / 1000) +
+                               megabytes_of(kExportedTextures * double(facts.texture_bytes));
     const auto missing = draft_.facts().missing_tools.find(reference.kind);
     if (task.refused.empty() && missing != draft_.facts().missing_tools.end()) task.refused = missing->second;
     return draft_.add(std::move(task));

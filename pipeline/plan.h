@@ -68,7 +68,9 @@ struct ObjectFacts {
 struct SceneFacts {
   std::string error;  ///< why it cannot be used; then the rest is empty
   std::size_t triangles = 0;
-  bool moves = false;  ///< whether its pictures depend on the view's time
+  std::size_t texture_bytes = 0;  ///< that its textures take in memory
+  std::size_t light_points = 0;   ///< each has a shadow map
+  bool moves = false;             ///< whether its pictures depend on the view's time
   std::vector<std::string> warnings;
   std::vector<Credit> credits;
   KeyParts files;                                     ///< name and hash of everything that was read

@@ -50,4 +50,16 @@ std::vector<Light> light_points(const Scene& scene) {
   return result;
 }
 
+std::size_t light_point_count(const Light& light) {
+  if (light.kind != LightKind::area) return 1;
+  const int rows = light.shape == AreaShape::quad ? light.points.y : light.points.x;
+  return std::size_t(light.points.x) * std::size_t(rows);
+}
+
+std::size_t light_point_count(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Light& light : scene.lights) count += light_point_count(light);
+  return count;
+}
+
 }  // namespace lightbench

@@ -56,5 +56,12 @@ TEST(LightPoints, KeepOtherLightsAsTheyAre) {
   EXPECT_EQ(points[1].position, glm::vec3(1, 2, 3));
 }
 
+TEST(LightPoints, AreCountedWithoutMakingThem) {
+  Scene scene;
+  scene.lights = {Light(), area_light(AreaShape::quad, {2, 3}), area_light(AreaShape::triangle, {5, 5})};
+  for (const Light& light : scene.lights) EXPECT_EQ(light_point_count(light), light_points(light).size());
+  EXPECT_EQ(light_point_count(scene), 1u + 6 + 25);
+}
+
 }  // namespace
 }  // namespace lightbench

@@ -142,6 +142,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"UnknownUp", kSun, R"(, "up": "x")", "$.entities[0].up: must be one of y, z, not 'x'"},
         BadScene{"SizeOfZero", kSun, R"(, "size": [1, 0, 1])",
                  "$.entities[0].size: a size must be larger than 0"},
+        BadScene{"HugeScale", kSun, R"(, "transform": {"scale": 1e100})",
+                 "$.entities[0].transform.scale: must be between"},
+        BadScene{"SizeAndScaleBeyondFloats", kSun,
+                 R"(, "size": [1e15, 1e15, 1e15], "transform": {"scale": 1e15})",
+                 "error s.json: entity 'e' is made too large or too small for 32-bit floats"},
+        BadScene{"SizeAndScaleBelowFloats", kSun,
+                 R"(, "size": [1e-15, 1e-15, 1e-15], "transform": {"scale": 1e-12})",
+                 "error s.json: entity 'e' is made too large or too small for 32-bit floats"},
+        BadScene{"KeyframeBeyondFloats", kSun,
+                 R"(, "transform": {"scale": 1e12}, "keyframes": [{"time": 0}, {"time": 1, "scale": 1e12}])",
+                 "error s.json: entity 'e' is made too large or too small for 32-bit floats"},
         BadScene{"HugeCoordinate", kSun, R"(, "transform": {"translate": [1e300, 0, 0]})",
                  "$.entities[0].transform.translate: 1e+300 is too large"},
         BadScene{"MaterialOfAnObj", kSun, R"(, "material": {"diffuse": [1, 1, 1]})",
@@ -183,6 +194,36 @@ TEST(SceneFile, KeyframesThatFlattenTheModelAreAProblem) {
 TEST(SceneFile, AnUnknownKeyOfAKeyframeIsAProblem) {
   EXPECT_THAT(problems_of("", R"(, "keyframes": [{"time": 0}, {"time": 1, "rotates": [0, 0, 0]}])"),
               HasSubstr("did you mean 'rotate'"));
+}
+
+TEST(SceneFile, WarnsOfManyShadowMaps) {
+  const auto problems = [](const std::string& points) {
+    return problems_of(R"(, "lights": [{"type": "area", "position": [0, 0, 9], "edge_u": [1, 0, 0],
+                           "edge_v": [0, 1, 0], "points": )" +
+                       points + "}]");
+  };
+  EXPECT_THAT(problems("[64, 64]"),
+              HasSubstr("warning s.json: the lights have 4096 points: where OpenGL draws"));
+  EXPECT_THAT(problems("[16, 16]"), ::testing::Not(HasSubstr("points")));
+}
+
+TEST(SceneFile, ManyLightsWithOneFaultAreListedInShort) {
+  std::string lights;
+  for (int i = 0; i < 100; ++i) lights += R"({"type": "point", "position": [0.5, 0.5, 0]}, )";
+  lights += R"({"type": "directional", "direction": [0, 0, -1]})";
+  EXPECT_THAT(problems_of(R"(, "lights": [)" + lights + "]"),
+              HasSubstr("warning s.json: 95 more lights that lie in a surface\n"));
+}
+
+TEST(SceneFile, ManyEntitiesWithOneFaultAreListedInShort) {
+  const SceneTestFiles files;
+  files.write("m.obj", kSquareObj);
+  const std::string huge = R"({"obj": "m.obj", "transform": {"scale": 1e15}, "size": [1e15, 1e15, 1]})";
+  std::string entities = huge;
+  for (int i = 1; i < 100; ++i) entities += ", " + huge;
+  EXPECT_THAT(
+      described(load_scene_collecting(files.write("s.json", R"({"entities": [)" + entities + "]}")), files),
+      HasSubstr("error s.json: 95 more entities that are made too large or too small"));
 }
 
 }  // namespace
