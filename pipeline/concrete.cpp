@@ -1,12 +1,14 @@
 #include "pipeline/concrete.h"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "pipeline/run_folder.h"
 #include "pipeline/tables.h"
 #include "scene/camera_script.h"
 #include "scene/motion.h"
@@ -17,15 +19,14 @@ namespace {
 constexpr std::size_t kMaxSweptVariants = 4096;
 
 std::vector<JobVariant> expand_sweep(const JobVariant& variant) {
-  std::size_t count = 1;
-  for (const auto& [name, values] : variant.sweep) count *= values.size();
-  if (count > kMaxSweptVariants)
-    throw Error(fmt::format("the sweep of '{}' makes {} variants; at most {} are possible", variant.name,
-                            count, kMaxSweptVariants));
+  if (variant.sweep.empty()) return {variant};
+  const std::size_t count = swept_count(variant);
+  JobVariant plain = variant;
+  plain.sweep.clear();
+  plain.swept_from = variant.name;
   std::vector<JobVariant> result;
   for (std::size_t i = 0; i < count; ++i) {
-    JobVariant one = variant;
-    one.sweep.clear();
+    JobVariant& one = result.emplace_back(plain);
     std::vector<std::string> labels(variant.sweep.size());
     std::size_t rest = i;
     for (std::size_t p = variant.sweep.size(); p-- > 0;) {
@@ -35,11 +36,7 @@ std::vector<JobVariant> expand_sweep(const JobVariant& variant) {
       one.params[name] = value;
       labels[p] = fmt::format("{}={}", name, to_text(value));
     }
-    if (!variant.sweep.empty()) {
-      one.name = fmt::format("{}[{}]", variant.name, join(labels, ","));
-      one.swept_from = variant.name;
-    }
-    result.push_back(std::move(one));
+    one.name = fmt::format("{}[{}]", variant.name, join(labels, ","));
   }
   return result;
 }
@@ -56,6 +53,8 @@ std::vector<Gate> expand_gates(const std::vector<Gate>& gates, const std::vector
       result.back().as_written += " (" + variant.name + ")";
     }
     if (result.size() == before) result.push_back(gate);
+    if (result.size() > kMaxGates)
+      throw Error(fmt::format("the gates on swept variants make more than {} gates", kMaxGates));
   }
   return result;
 }
@@ -63,13 +62,14 @@ std::vector<Gate> expand_gates(const std::vector<Gate>& gates, const std::vector
 std::vector<View> chosen_views(const CameraScript& script) {
   const auto views = read_camera_script(script.file);
   if (script.names.empty()) return views;
+  std::map<std::string_view, const View*> by_name;
+  for (const auto& view : views) by_name[view.name] = &view;
   std::vector<View> chosen;
   for (const auto& name : script.names) {
-    const auto found =
-        std::find_if(views.begin(), views.end(), [&](const View& v) { return v.name == name; });
-    if (found == views.end())
+    const auto found = by_name.find(name);
+    if (found == by_name.end())
       throw Error("has no view '" + name + "'" + did_you_mean(name, row_names(views)), script.file.string());
-    chosen.push_back(*found);
+    chosen.push_back(*found->second);
   }
   return chosen;
 }
@@ -90,6 +90,15 @@ std::vector<View> frames_of(const std::vector<View>& views, const JobSequence& s
 }
 
 }  // namespace
+
+std::size_t swept_count(const JobVariant& variant) {
+  double count = 1;
+  for (const auto& [name, values] : variant.sweep) count *= double(values.size());
+  if (count > double(kMaxSweptVariants))
+    throw Error(fmt::format("the sweep of '{}' makes {:.0f} variants; at most {} are possible", variant.name,
+                            count, kMaxSweptVariants));
+  return std::size_t(count);
+}
 
 std::vector<JobVariant> expand_sweeps(const std::vector<JobVariant>& variants) {
   std::vector<JobVariant> result;
@@ -125,6 +134,7 @@ Job make_concrete(const Job& job, const std::filesystem::path& out, const DrawVi
       auto views = chosen_views(*script);
       scene.views = std::move(views);
     } else if (const auto* request = std::get_if<RandomViewsRequest>(&scene.views)) {
+      check_inside(out, stored_cameras(scene).parent_path());
       const auto file = out / stored_cameras(scene);
       write_file_atomic(file,
                         camera_script_text(draw_views(scene, *request, double(job.width) / job.height)));

@@ -10,6 +10,13 @@
 
 namespace lightbench {
 
+/// The most variants and gates of a job, counting all that sweeps make of them.
+inline constexpr std::size_t kMaxVariants = 20000;
+inline constexpr std::size_t kMaxGates = 20000;
+
+/// How many variants a variant's sweep makes; 1 without one. Throws Error where it makes too many.
+std::size_t swept_count(const JobVariant& variant);
+
 /// Variants without sweeps: one for each combination of a sweep's values, named `name[param=value,...]`, the
 /// last parameter running fastest. Throws Error where a sweep makes too many.
 std::vector<JobVariant> expand_sweeps(const std::vector<JobVariant>& variants);

@@ -79,7 +79,8 @@ Json params_schema(std::span<const ParamSpec> specs) {
 Json sweep_schema(std::span<const ParamSpec> specs) {
   Json properties = Json::object();
   for (const auto& spec : specs)
-    properties[spec.name] = list_schema(param_schema(spec), "one variant for each value", 1);
+    if (!is_path_param(spec))
+      properties[spec.name] = list_schema(param_schema(spec), "one variant for each value", 1);
   return object_schema(std::move(properties));
 }
 

@@ -17,11 +17,6 @@ namespace lightbench {
 namespace {
 
 constexpr int kMaxRandomViews = 10000;
-constexpr std::size_t kMaxNameBytes = 200;
-
-std::string full_path(const std::string& text, const std::filesystem::path& base, const std::string& where) {
-  return resolve_path(text, base, where).lexically_normal().string();
-}
 
 GivenParams read_params(JsonObject object, std::span<const ParamSpec> specs,
                         const std::filesystem::path& base) {
@@ -29,7 +24,8 @@ GivenParams read_params(JsonObject object, std::span<const ParamSpec> specs,
   for (const auto& spec : specs)
     if (const auto value = object.find(spec.name)) {
       result[spec.name] = read_param(spec, *value);
-      if (is_path_param(spec)) result[spec.name] = full_path(value->text(), base, value->where());
+      if (is_path_param(spec))
+        result[spec.name] = resolve_path_param(spec, value->text(), base, value->where());
     }
   object.finish();
   return result;
@@ -40,7 +36,8 @@ void add_default_paths(std::span<const ParamSpec> specs, const std::filesystem::
                        GivenParams& params) {
   for (const auto& spec : specs)
     if (is_path_param(spec) && !params.contains(spec.name))
-      params[spec.name] = full_path(std::get<std::string>(spec.default_value), base, spec.name);
+      params[spec.name] =
+          resolve_path_param(spec, std::get<std::string>(spec.default_value), base, spec.name);
 }
 
 std::string read_preset(JsonObject& object, std::span<const ParamPreset> presets) {
@@ -89,7 +86,7 @@ JobViews read_views(JsonObject& object, const std::filesystem::path& base) {
   if (random ? cameras || views : !cameras && !views)
     object.fail("needs 'cameras' (with the names of some 'views' or without), 'views' or 'random'");
   if (cameras)
-    return CameraScript{resolve_path(cameras->text(), base, cameras->where()).lexically_normal(),
+    return CameraScript{resolve_path(cameras->text(), base, cameras->where()),
                         views ? read_view_names(*views) : std::vector<std::string>()};
   if (views) return read_inline_views(*views);
   return read_random_views(random->object());
@@ -100,6 +97,8 @@ JobSequence read_sequence(JsonObject object) {
   if (const auto start = object.find("start")) sequence.start = read_time(*start);
   sequence.frames = int(object.at("frames").integer(2, kMaxFrames));
   sequence.rate = object.at("rate").number(kMinFrameRate, kMaxFrameRate);
+  if (std::abs(sequence.start + (sequence.frames - 1) / sequence.rate) > kLargestTime)
+    object.fail(fmt::format("the last frame must be at most at {:.0f} seconds", kLargestTime));
   object.finish();
   return sequence;
 }
@@ -116,6 +115,9 @@ std::vector<ParamValue> read_sweep_values(const ParamSpec& spec, const JsonValue
 }
 
 void read_sweep(JsonObject object, const Technique& technique, JobVariant& variant) {
+  for (const auto& spec : technique.params)
+    if (is_path_param(spec) && object.has(spec.name))
+      object.fail(fmt::format("'{}' is a path and cannot be swept: name a variant for each", spec.name));
   for (const auto& key : object.keys())
     if (variant.params.contains(key)) object.fail(fmt::format("'{}' stands in 'params' too", key));
   for (const auto& spec : technique.params)
@@ -126,59 +128,57 @@ void read_sweep(JsonObject object, const Technique& technique, JobVariant& varia
 
 }  // namespace
 
-std::string read_name(const JsonValue& value) {
-  const std::string name = value.text();
-  if (trimmed(name).empty()) value.fail("a name must not be empty");
-  if (name.size() > kMaxNameBytes)
-    value.fail(fmt::format("a name must have at most {} bytes", kMaxNameBytes));
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
-  if (std::any_of(name.begin(), name.end(), is_control))
-    value.fail("a name must not have control characters");
+std::string name_of_file(const std::filesystem::path& file, const std::string& where) {
+  std::string name = file.stem().string();
+  if (const std::string problem = name_problem(name); !problem.empty())
+    throw Error(
+        fmt::format("the name is taken from the file's name, which {}; give a 'name' instead", problem),
+        where);
   return name;
 }
 
-JobScene read_scene(const JsonValue& value, const std::filesystem::path& base) {
+JobScene read_scene(const JsonValue& value, const JobReading& reading) {
   JsonObject object = value.object();
   JobScene scene;
   const JsonValue path = object.at("scene");
   scene.as_written = path.text();
-  scene.file = resolve_path(scene.as_written, base, path.where()).lexically_normal();
+  scene.file = resolve_path(scene.as_written, reading.base, path.where());
   const auto name = object.find("name");
-  scene.name = name ? read_name(*name) : scene.file.stem().string();
-  scene.views = read_views(object, base);
+  scene.name = name ? read_name(*name, reading.longest_name) : name_of_file(scene.file, path.where());
+  scene.views = read_views(object, reading.base);
   if (const auto sequence = object.find("sequence")) scene.sequence = read_sequence(sequence->object());
   object.finish();
   return scene;
 }
 
-JobVariant read_variant(const JsonValue& value, const std::filesystem::path& base) {
+JobVariant read_variant(const JsonValue& value, const JobReading& reading) {
   JsonObject object = value.object();
   JobVariant variant;
   const JsonValue technique_name = object.at("technique");
   const Technique& technique = find_technique(technique_name.text(), technique_name.where());
   variant.technique = technique.name;
   const auto name = object.find("name");
-  variant.name = name ? read_name(*name) : technique.name;
+  variant.name = name ? read_name(*name, reading.longest_name) : technique.name;
   variant.preset = read_preset(object, technique.presets);
   if (const auto params = object.find("params"))
-    variant.params = read_params(params->object(), technique.params, base);
-  add_default_paths(technique.params, base, variant.params);
+    variant.params = read_params(params->object(), technique.params, reading.base);
   if (const auto sweep = object.find("sweep")) read_sweep(sweep->object(), technique, variant);
+  add_default_paths(technique.params, reading.base, variant.params);
   object.finish();
   return variant;
 }
 
-JobReference read_reference(const JsonValue& value, const std::filesystem::path& base) {
+JobReference read_reference(const JsonValue& value, const JobReading& reading) {
   JsonObject object = value.object();
   JobReference reference;
   const JsonValue kind_name = object.at("kind");
   const ReferenceKind& kind = find_reference_kind(kind_name.text(), kind_name.where());
   reference.kind = kind.name;
   const auto name = object.find("name");
-  reference.name = name ? read_name(*name) : kind.name;
+  reference.name = name ? read_name(*name, reading.longest_name) : kind.name;
   reference.preset = read_preset(object, kind.presets);
   if (const auto params = object.find("params"))
-    reference.params = read_params(params->object(), kind.params, base);
+    reference.params = read_params(params->object(), kind.params, reading.base);
   if (const auto timeout = object.find("timeout"))
     reference.timeout = std::chrono::milliseconds(std::llround(timeout->number(0.1, 1e7) * 1000));
   object.finish();

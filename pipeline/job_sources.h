@@ -7,9 +7,14 @@
 #include "base/json_reader.h"
 #include "pipeline/job.h"
 
-/// The parts of a job file that say what is rendered: scenes, variants, references. `base` is the folder that
-/// relative paths are taken from.
+/// The parts of a job file that say what is rendered: scenes, variants, references.
 namespace lightbench {
+
+/// How a job is read.
+struct JobReading {
+  std::filesystem::path base;  ///< the folder that relative paths are taken from
+  std::size_t longest_name;    ///< bytes
+};
 
 /// Throws where a name stands twice.
 class UniqueNames {
@@ -24,11 +29,11 @@ class UniqueNames {
   std::set<std::string> seen_;
 };
 
-/// A name that a person reads in tables: not empty, one line, no control bytes.
-std::string read_name(const JsonValue& value);
+/// The name of what is named after its file where it has none of its own. Throws Error where that is no name.
+std::string name_of_file(const std::filesystem::path& file, const std::string& where);
 
-JobScene read_scene(const JsonValue& value, const std::filesystem::path& base);
-JobVariant read_variant(const JsonValue& value, const std::filesystem::path& base);
-JobReference read_reference(const JsonValue& value, const std::filesystem::path& base);
+JobScene read_scene(const JsonValue& value, const JobReading& reading);
+JobVariant read_variant(const JsonValue& value, const JobReading& reading);
+JobReference read_reference(const JsonValue& value, const JobReading& reading);
 
 }  // namespace lightbench

@@ -1,7 +1,11 @@
 #include <nlohmann/json.hpp>
 
+#include "base/files.h"
+#include "base/json_bytes.h"
 #include "pipeline/job_file.h"
+#include "pipeline/references.h"
 #include "pipeline/tables.h"
+#include "renderer/technique.h"
 #include "scene/camera_script.h"
 
 namespace lightbench {
@@ -19,14 +23,27 @@ Json params_json(const GivenParams& params) {
   return json;
 }
 
+std::string path_text(const std::filesystem::path& path) {
+  return unresolved(std::filesystem::absolute(path).string());
+}
+
+/// A technique's parameters, whose paths must come out as they are when they are read again.
+Json params_json(const GivenParams& params, std::span<const ParamSpec> specs) {
+  Json json = params_json(params);
+  for (const auto& spec : specs)
+    if (is_path_param(spec) && params.contains(spec.name))
+      json[spec.name] = unresolved(std::get<std::string>(params.at(spec.name)));
+  return json;
+}
+
 Json scene_json(const JobScene& scene) {
-  Json json = {{"name", scene.name}, {"scene", std::filesystem::absolute(scene.file).string()}};
+  Json json = {{"name", scene.name}, {"scene", path_text(scene.file)}};
   if (const auto* script = std::get_if<CameraScript>(&scene.views)) {
-    json["cameras"] = std::filesystem::absolute(script->file).string();
+    json["cameras"] = path_text(script->file);
     if (!script->names.empty()) json["views"] = script->names;
   }
   if (const auto* views = std::get_if<std::vector<View>>(&scene.views))
-    json["views"] = Json::parse(camera_script_text(*views)).at("views");
+    json["views"] = parse_json_text(camera_script_text(*views)).at("views");
   if (const auto* random = std::get_if<RandomViewsRequest>(&scene.views))
     json["random"] = {{"count", random->count}, {"seed", random->seed}, {"fov", random->fov}};
   if (const auto& sequence = scene.sequence)
@@ -37,7 +54,8 @@ Json scene_json(const JobScene& scene) {
 Json variant_json(const JobVariant& variant) {
   Json json = {{"name", variant.name}, {"technique", variant.technique}};
   if (!variant.preset.empty()) json["preset"] = variant.preset;
-  if (!variant.params.empty()) json["params"] = params_json(variant.params);
+  if (!variant.params.empty())
+    json["params"] = params_json(variant.params, find_technique(variant.technique, "").params);
   for (const auto& [name, values] : variant.sweep)
     for (const auto& value : values) json["sweep"][name].push_back(value_json(value));
   return json;
@@ -46,7 +64,8 @@ Json variant_json(const JobVariant& variant) {
 Json reference_json(const JobReference& reference) {
   Json json = {{"name", reference.name}, {"kind", reference.kind}};
   if (!reference.preset.empty()) json["preset"] = reference.preset;
-  if (!reference.params.empty()) json["params"] = params_json(reference.params);
+  if (!reference.params.empty())
+    json["params"] = params_json(reference.params, find_reference_kind(reference.kind, "").params);
   json["timeout"] = double(reference.timeout.count()) / 1000;
   return json;
 }
@@ -78,7 +97,7 @@ std::string job_text(const Job& job) {
                         {"baseline", job.difference.baseline},
                         {"heat_scale", job.difference.heat_scale}};
   json["buffers"] = job.buffers;
-  return json.dump(2) + "\n";
+  return json_text(json, 2) + "\n";
 }
 
 }  // namespace lightbench

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/files.h"
 #include "base/text.h"
 #include "pipeline/references.h"
 #include "renderer/technique.h"
@@ -15,6 +16,12 @@ bool matches_name(std::string_view name, std::string_view pattern) {
 bool is_path_param(const ParamSpec& spec) {
   return spec.type == ParamType::text &&
          (spec.name == "pattern" || spec.name == "folder" || spec.name == "file");
+}
+
+std::string resolve_path_param(const ParamSpec& spec, const std::string& text,
+                               const std::filesystem::path& base, const std::string& where) {
+  return spec.name == "pattern" ? resolve_pattern(text, base, where)
+                                : resolve_path(text, base, where).string();
 }
 
 std::vector<std::string> known_buffers(const std::vector<JobVariant>& variants) {
@@ -45,10 +52,18 @@ ParamValues variant_params(const JobVariant& variant) {
   return resolve_params(technique.params, technique.presets, variant.preset, variant.params, "");
 }
 
-ParamValues reference_params(const JobReference& reference) {
-  const ReferenceKind& kind = find_reference_kind(reference.kind, "");
+namespace {
+
+ParamValues resolved_params(const JobReference& reference, const std::string& where) {
+  const ReferenceKind& kind = find_reference_kind(reference.kind, where);
   const std::string& preset = reference.preset.empty() ? kind.default_preset : reference.preset;
-  return resolve_params(kind.params, kind.presets, preset, reference.params, "");
+  return resolve_params(kind.params, kind.presets, preset, reference.params, where);
+}
+
+}  // namespace
+
+ParamValues reference_params(const JobReference& reference) {
+  return resolved_params(reference, "");
 }
 
 void check_variant(const JobVariant& variant, const std::string& where) {
@@ -57,8 +72,7 @@ void check_variant(const JobVariant& variant, const std::string& where) {
 }
 
 void check_reference(const JobReference& reference, const std::string& where) {
-  const ReferenceKind& kind = find_reference_kind(reference.kind, where);
-  resolve_params(kind.params, kind.presets, reference.preset, reference.params, where);
+  resolved_params(reference, where);
 }
 
 }  // namespace lightbench

@@ -30,6 +30,11 @@ bool matches_name(std::string_view name, std::string_view pattern);
 /// Whether a text parameter holds a path, which a job gives relative to its own folder.
 bool is_path_param(const ParamSpec& spec);
 
+/// The value of such a parameter as it stands in a file in `base`: absolute where that is, its variables
+/// replaced.
+std::string resolve_path_param(const ParamSpec& spec, const std::string& text,
+                               const std::filesystem::path& base, const std::string& where);
+
 /// Buffers that at least one of the variants' techniques has, in the order of the tables.
 std::vector<std::string> known_buffers(const std::vector<JobVariant>& variants);
 

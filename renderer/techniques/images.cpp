@@ -5,6 +5,7 @@
 #include "base/color.h"
 #include "base/error.h"
 #include "base/files.h"
+#include "base/hash.h"
 #include "base/image_io.h"
 #include "base/text.h"
 #include "renderer/frame_context.h"
@@ -25,7 +26,7 @@ void check_picture(const Image& picture, const FrameRequest& request, const std:
   }
 }
 
-Image with_alpha(const Image& picture) {
+Image with_alpha(Image picture) {
   if (picture.channels == 4) return picture;
   Image result(picture.width, picture.height, 4, 1.0f);
   for (std::size_t i = 0; i < picture.pixel_count(); ++i)
@@ -35,11 +36,11 @@ Image with_alpha(const Image& picture) {
 
 void render_images(FrameContext& frame, const ParamValues& params) {
   const FrameRequest& request = frame.request();
-  const std::string text = picture_path(params.text("pattern"), request.scene.name, request.view.name);
-  const auto file = resolve_path(text, std::filesystem::current_path(), "parameter 'pattern'");
-  const Image picture = read_image(file);
-  check_picture(picture, request, file.string());
-  frame.set_image(with_alpha(picture));
+  const std::string file = picture_path(params.text("pattern"), request.scene.name, request.view.name);
+  Image picture;
+  frame.result().picture_hash = hash_while_reading(file, [&] { picture = read_image(file); });
+  check_picture(picture, request, file);
+  frame.set_image(with_alpha(std::move(picture)));
 }
 
 }  // namespace
@@ -47,9 +48,10 @@ void render_images(FrameContext& frame, const ParamValues& params) {
 std::string picture_path(std::string_view pattern, std::string_view scene, std::string_view view) {
   std::string result;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
-    const bool variable = i > 0 && pattern[i - 1] == '$';  // ${NAME} is for resolve_path
-    if (pattern[i] != '{' || variable) {
+    const bool brace = pattern.compare(i, 2, "{{") == 0;
+    if (pattern[i] != '{' || brace) {
       result += pattern[i];
+      i += brace ? 1 : 0;
       continue;
     }
     const std::size_t end = pattern.find('}', i);
@@ -72,9 +74,11 @@ Technique images_technique() {
   technique.params = {text_param(
       "pattern", "renders/{scene}/{view}.png",
       "path of a view's picture; {scene} and {view} stand for the names, in which bytes other than letters, "
-      "digits, '.', '_' and '-' become %XX; ${LIGHTBENCH_...} is an environment variable; relative to the "
-      "working directory. 8- and 16-bit files are taken as sRGB, EXR as linear light")};
+      "digits, '.', '_' and '-' become %XX; {{ is a brace; ${LIGHTBENCH_...} is an environment variable; "
+      "relative to the job file's folder, and on the command line to the working directory. 8- and 16-bit "
+      "files are taken as sRGB, EXR as linear light")};
   technique.needs_gl = false;
+  technique.external = true;
   technique.shows_water = true;
   technique.render = render_images;
   return technique;

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "job_fixture.h"
 #include "pipeline/plan.h"
+#include "renderer/techniques/images.h"
 
 namespace lightbench {
 namespace {
@@ -130,7 +131,7 @@ const BadJob kBadJobs[] = {
      R"("technique": "ambient", "sweep": {"k": [0,1,2,3,4,5,6,7], "pcf_radius": [0,1,2,3,4,5,6,7],
         "esm_blur_radius": [0,1,2,3,4,5,6,7], "esm_size": [16,17,18,19,20,21,22,23],
         "shadow_size": [16,17]})",
-     "makes 8192 variants"},
+     "$.variants[1]: the sweep of 'other' makes "},
     {"name twice", R"("name": "other")", R"("name": "direct")",
      "$.variants[1]: the name 'direct' stands twice"},
     {"variant named as a reference", R"("name": "truth")", R"("name": "direct")",
@@ -193,6 +194,108 @@ TEST(JobFile, ASequenceReadsBackFromItsText) {
   EXPECT_EQ(again.scenes[0].sequence->start, 0.1);
   EXPECT_EQ(again.scenes[0].sequence->frames, 5);
   EXPECT_EQ(again.scenes[0].sequence->rate, 24);
+}
+
+/// The job with a variant of technique images as a file in `folder`.
+Job job_with_pictures(const std::string& folder, const std::string& pattern) {
+  const std::string variant = R"({"technique": "images", "params": {"pattern": ")" + pattern + "\"}},";
+  return parse_job(replaced(kJobText, R"("variants": [)", R"("variants": [)" + variant),
+                   folder + "/job.json");
+}
+
+TEST(JobFile, PicturesAreLookedForInTheJobsFolder) {
+  const Job job = job_with_pictures("/jobs", "renders/{scene}/{view}.png");
+  EXPECT_EQ(std::get<std::string>(job.variants[0].params.at("pattern")), "/jobs/renders/{scene}/{view}.png");
+}
+
+TEST(JobFile, BracesAndDollarsOfTheJobsFolderMeanThemselves) {
+  for (const char* folder : {"/a {scene} b", "/{x", "/x}", "/${HOME}", "/$${LIGHTBENCH_X}", "/a{{b"}) {
+    const Job job = job_with_pictures(folder, "{view}.png");
+    for (const Job& one : {job, parse_job(job_text(job), "/elsewhere/job.json")}) {
+      const std::string pattern = std::get<std::string>(one.variants[0].params.at("pattern"));
+      EXPECT_EQ(picture_path(pattern, "hall", "north"), std::string(folder) + "/north.png");
+      EXPECT_EQ(one.scenes[0].file, std::string(folder) + "/one.json");
+    }
+  }
+}
+
+TEST(JobFile, APathCannotBeSwept) {
+  EXPECT_THAT(
+      error_of(replaced(kJobText, R"("variants": [)",
+                        R"("variants": [{"technique": "images", "sweep": {"pattern": ["a", "b"]}},)")),
+      HasSubstr("'pattern' is a path and cannot be swept"));
+}
+
+TEST(JobFile, ANameThatComesFromAFileIsCheckedToo) {
+  const std::string nameless = replaced(kJobText, R"("name": "job",)", "");
+  const auto error = [&](const std::string& file) {
+    try {
+      parse_job(nameless, file);
+    } catch (const Error& e) {
+      return std::string(e.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(error("/jobs/" + std::string(200, 'x') + ".json"), "no error");
+  EXPECT_THAT(error("/jobs/" + std::string(201, 'x') + ".json"),
+              HasSubstr("the name is taken from the file's name, which must have at most 200 bytes"));
+  EXPECT_THAT(error("/jobs/a\nb.json"), HasSubstr("control characters; give a"));
+  EXPECT_THAT(error_of(replaced(kJobText, R"("name": "one", "scene": "one.json")",
+                                R"("scene": ")" + std::string(201, 'x') + R"(.json")")),
+              HasSubstr("$.scenes[0].scene: the name is taken from the file's name"));
+}
+
+TEST(JobFile, APatternOfAGateMatchesWhatASweepMakes) {
+  const auto with_gate = [](const std::string& variant) {
+    return error_of(
+        replaced(replaced(kJobText, R"({"name": "other", "technique": "ambient"})",
+                          R"({"name": "other", "technique": "ambient", "sweep": {"k": [0.25, 0.5]}})"),
+                 R"("metrics")",
+                 R"("gates": [{"metric": "gain", "variant": ")" + variant + R"(", "min": 1}], "metrics")"));
+  };
+  EXPECT_EQ(with_gate("other"), "no error") << "it stands for all that its sweep makes";
+  EXPECT_EQ(with_gate("other*"), "no error");
+  EXPECT_THAT(with_gate("oth?r"), HasSubstr("no variant is called 'oth?r'")) << "no variant has that name";
+}
+
+TEST(JobFile, TheLastFrameOfASequenceHasATimeThatViewsMayHave) {
+  EXPECT_THAT(error_of(replaced(
+                  kJobText, R"("scene": "one.json",)",
+                  R"("scene": "one.json", "sequence": {"start": 500000, "frames": 600, "rate": 0.001},)")),
+              HasSubstr("$.scenes[0].sequence: the last frame must be at most at 1000000 seconds"));
+}
+
+TEST(JobFile, NamesThatASweepMakesHaveNoControlCharacters) {
+  EXPECT_THAT(error_of(replaced(kJobText, R"({"name": "other", "technique": "ambient"})",
+                                R"({"technique": "surface_radiance", "sweep": {"sizes": ["a\nb", "c"]}})")),
+              HasSubstr("a name that the sweep makes must not have control characters"));
+}
+
+TEST(JobFile, AViewsNameIsAName) {
+  EXPECT_THAT(error_of(replaced(kJobText, R"("name": "a", "position")", R"("name": "a\tb", "position")")),
+              HasSubstr("$.scenes[0].views[0].name: a name must not have control characters"));
+}
+
+TEST(JobFile, VariantsAreCountedWithTheirSweeps) {
+  std::string variants, values = "0";
+  for (int i = 1; i < 4000; ++i) values += ", " + std::to_string(i * 0.0001);
+  for (int i = 0; i < 6; ++i)
+    variants += R"({"name": "v)" + std::to_string(i) + R"(", "technique": "ambient", "sweep": {"k": [)" +
+                values + "]}},";
+  EXPECT_THAT(error_of(replaced(kJobText, R"("variants": [)", R"("variants": [)" + variants)),
+              HasSubstr("$.variants[5]: a job has at most 20000 variants"));
+}
+
+TEST(JobFile, ASweepThatOverflowsItsCountIsRefused) {
+  std::string values = "1";
+  for (int i = 2; i <= 4096; ++i) values += ", " + std::to_string(i);
+  std::string sweep;
+  for (const char* name : {"shadow_size", "directional_shadow_size", "esm_size", "directional_esm_size"})
+    sweep += std::string(sweep.empty() ? "" : ", ") + '"' + name + "\": [" +
+             values.substr(values.find("16")) + "]";
+  EXPECT_THAT(error_of(replaced(kJobText, R"("technique": "ambient")",
+                                R"("technique": "ambient", "sweep": {)" + sweep + "}")),
+              HasSubstr("variants; at most 4096 are possible"));
 }
 
 }  // namespace

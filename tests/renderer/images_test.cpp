@@ -95,8 +95,8 @@ TEST(PicturePath, ANameIsNotAPatternItself) {
   EXPECT_EQ(picture_path("{scene}", "{view}", "x"), escape_file_name("{view}"));
 }
 
-TEST(PicturePath, LeavesEnvironmentVariablesAlone) {
-  EXPECT_EQ(picture_path("${LIGHTBENCH_PICTURES}/{view}.png", "hall", "x"), "${LIGHTBENCH_PICTURES}/x.png");
+TEST(PicturePath, ADoubledBraceIsABrace) {
+  EXPECT_EQ(picture_path("{{old}/${{x}/{view}.png", "hall", "x"), "{old}/${x}/x.png");
 }
 
 TEST(PicturePath, NamesTheNearestWord) {
