@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
@@ -6,11 +7,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/descriptors.h"
 #include "base/error.h"
+#include "base/orphans.h"
 #include "base/stopwatch.h"
 #include "pipeline/bake_folder.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_range.h"
 #include "pipeline/commands/view_options.h"
+#include "pipeline/console.h"
 #include "pipeline/tables.h"
 #include "renderer/radiance/object_bake.h"
 #include "renderer/radiance/radiance_file.h"
@@ -27,21 +32,35 @@ struct BakeParams {
   int threads = 0;
 };
 
-/// Keeps what an interrupted bake of the same left; anything else must not be mixed with it.
-void prepare_folder(const std::filesystem::path& folder, const BakeFolder& bake) {
+/// Whether anything is there but what a bake left that was killed before it had written its first file.
+bool holds_files(const std::filesystem::path& folder) {
+  const std::filesystem::directory_iterator entries(folder);
+  return std::any_of(begin(entries), end(entries), [](const std::filesystem::directory_entry& entry) {
+    return !is_temporary_name(entry.path().filename().string());
+  });
+}
+
+/// A folder that no other bake works in, with what an interrupted bake of the same left; anything else must
+/// not be mixed with it.
+FolderLock prepare_folder(const std::filesystem::path& folder, const BakeFolder& bake) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw Error("cannot make the folder: " + error.message(), folder.string());
+  FolderLock lock(folder / ".");  // the folder may be a link, as its user chose it
+  if (lock.state() == Locked::by_another)
+    throw Error("another bake is working in this folder", folder.string());
+  if (lock.state() == Locked::yes) remove_orphans_in(folder);
   if (std::filesystem::exists(folder / "bake.json")) {
     if (read_bake_folder(folder).key != bake.key)
       throw Error(
           "holds objects that were baked from another scene or with other parameters: choose another "
           "folder, or remove it first",
           folder.string());
-  } else if (!std::filesystem::is_empty(folder)) {
+  } else if (holds_files(folder)) {
     throw Error("is not empty, and not a folder that 'lightbench bake' made", folder.string());
   }
   write_bake_folder(folder, bake);
+  return lock;
 }
 
 /// A line that is written anew, on a terminal only.
@@ -87,17 +106,17 @@ ExitCode run_bake(const BakeParams& params) {
   settings.trace.threads =
       params.threads > 0 ? params.threads : int(std::max(1u, std::thread::hardware_concurrency()));
   const Scene scene = load_scene(params.scene);
-  for (const auto& warning : scene.warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  print_warnings(scene.warnings);
   for (const auto& reason : reasons_against(technique, scene, values)) throw Error(reason, params.scene);
   check_named_sizes(scene, settings);
   const std::filesystem::path folder = params.out;
-  prepare_folder(folder, bake_folder(scene, values));
+  const FolderLock lock = prepare_folder(folder, bake_folder(scene, values));
   const ObjectBaker baker(scene);
   for (const std::size_t entity : objects_to_bake(scene)) {
     const std::string name = object_file_stem(scene, entity);
     const std::filesystem::path file = folder / (name + ".mtex");
     if (std::filesystem::exists(file)) {
-      std::printf("%s: there already\n", name.c_str());
+      say(name + ": there already");
       continue;
     }
     const Stopwatch watch;
@@ -107,10 +126,10 @@ ExitCode run_bake(const BakeParams& params) {
       baked = baker.bake(entity, settings, [&](double share) { line(share); });
     }
     write_radiance(file, baked.stack);
-    std::printf("%s: %s\n", name.c_str(), tell(baked, watch.seconds()).c_str());
+    say(name + ": " + tell(baked, watch.seconds()));
     std::fflush(stdout);
   }
-  std::printf("%s\n", folder.c_str());
+  say(folder.string());
   return ExitCode::ok;
 }
 
@@ -129,7 +148,7 @@ void add_bake_command(CLI::App& app, Action& action) {
           "NAME=VALUE of technique surface_radiance (lightbench list params); may stand several times")
       ->allow_extra_args(false);
   command->add_option("--threads", params->threads, "Threads; 0: one for each core")
-      ->check(CLI::Range(0, 256))
+      ->check(number_between(0, 256))
       ->capture_default_str();
   command->footer(
       R"(One file for each object, docs/formats.md; an interrupted bake goes on where it was. In a job, variants of

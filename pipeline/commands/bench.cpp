@@ -1,16 +1,19 @@
 #include "pipeline/bench.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <array>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
+#include "base/file_clashes.h"
 #include "base/files.h"
 #include "pipeline/commands/busy.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_range.h"
 #include "pipeline/concrete.h"
+#include "pipeline/console.h"
 #include "pipeline/inspect.h"
 #include "pipeline/job_file.h"
 #include "pipeline/run_job.h"
@@ -34,9 +37,24 @@ bool needs_bake(const JobVariant& variant) {
   return find_technique(variant.technique, "").needs_bake;
 }
 
+/// Throws Error where the output would replace what is measured, before the minutes of measuring begin.
+void check_output(const std::filesystem::path& file, const Job& job) {
+  std::vector<NamedFile> inputs = {{"the job", job.file}};
+  for (const JobScene& scene : job.scenes) {
+    inputs.push_back({"a scene", scene.file});
+    if (const auto* script = std::get_if<CameraScript>(&scene.views))
+      inputs.push_back({"a camera script", script->file});
+  }
+  check_outputs(std::array{NamedFile{"-o", file}}, inputs);
+  require_writable(file);
+}
+
 ExitCode run_bench(const BenchParams& params) {
   const Job job = read_job(params.job);
   const std::filesystem::path out = run_folder(job, params.out);
+  const std::filesystem::path file =
+      params.output.empty() ? out / "bench.json" : std::filesystem::path(params.output);
+  check_output(file, job);
   if (std::any_of(job.variants.begin(), job.variants.end(), needs_bake)) {
     RunOptions baking;
     baking.out = out, baking.only = params.only, baking.gl = params.gl;
@@ -47,12 +65,10 @@ ExitCode run_bench(const BenchParams& params) {
   warn_if_busy();
   const auto rows = bench_job(concrete, out, params.gl, params.rounds, params.only);
   if (rows.empty()) throw Error("no scene/view/variant is there to time", params.only);
-  std::printf("%s\n%s", bench_table(rows).c_str(), bench_means(rows).c_str());
+  say(bench_table(rows) + "\n" + bench_means(rows));
   const std::string renderer = Renderer(parse_gl(params.gl, "--gl")).description();
-  const std::filesystem::path file =
-      params.output.empty() ? out / "bench.json" : std::filesystem::path(params.output);
   write_file_atomic(file, bench_json(concrete, rows, params.rounds, renderer));
-  std::printf("%s\n%s\n", renderer.c_str(), file.c_str());
+  say(renderer + "\n" + file.string());
   return ExitCode::ok;
 }
 
@@ -64,7 +80,7 @@ void add_bench_command(CLI::App& app, Action& action) {
       add_command<BenchParams>(app, "bench", "Time a job's variants, per pass", action, run_bench, command);
   command->add_option("job", params->job, "Job file (jobs/FORMAT.md)")->required();
   command->add_option("--rounds", params->rounds, "Measured frames of each view and variant")
-      ->check(CLI::Range(1, 10000))
+      ->check(number_between(1, 10000))
       ->capture_default_str();
   command->add_option("--only", params->only, "Only what matches this pattern of scene/view/variant");
   command->add_option("--gl", params->gl, "OpenGL back end")

@@ -1,12 +1,20 @@
+#include <array>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include "base/file_clashes.h"
 #include "base/files.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_range.h"
 #include "pipeline/commands/view_options.h"
+#include "pipeline/console.h"
 #include "pipeline/inspect.h"
 #include "scene/camera_script.h"
+#include "scene/motion.h"
+#include "scene/scene_file.h"
+#include "scene/scene_json.h"
 
 namespace lightbench {
 namespace {
@@ -16,22 +24,24 @@ struct CamerasParams {
   int random = 1;
   std::uint64_t seed = 1;
   double fov = 60;
+  double time = 0;
   std::string size = "1024x768";
   std::string output;
 };
 
 ExitCode run_cameras(const CamerasParams& params) {
   const ImageSize size = parse_size(params.size);
-  JobScene scene;
-  scene.file = params.scene;
+  Scene scene = load_scene(params.scene);
+  set_time(scene, params.time);
+  check_outputs(std::array{NamedFile{"-o", params.output}}, named("a file of the scene", file_paths(scene)));
   const auto views =
-      draw_job_views(scene, {params.random, params.seed, params.fov}, double(size.width) / size.height);
+      draw_views(scene, {params.random, params.seed, params.fov}, double(size.width) / size.height);
   const std::string text = camera_script_text(views);
   if (params.output.empty()) {
     std::printf("%s", text.c_str());
   } else {
     write_file_atomic(params.output, text);
-    std::printf("%s: %zu views\n", params.output.c_str(), views.size());
+    say(fmt::format("{}: {} views", params.output, views.size()));
   }
   return ExitCode::ok;
 }
@@ -44,11 +54,14 @@ void add_cameras_command(CLI::App& app, Action& action) {
                                            run_cameras, command);
   command->add_option("scene", params->scene, "Scene file (.json) or OBJ")->required();
   command->add_option("--random", params->random, "How many views")
-      ->check(CLI::Range(1, 10000))
+      ->check(number_between(1, 10000))
       ->capture_default_str();
   command->add_option("--seed", params->seed, "The same seed gives the same views")->capture_default_str();
   command->add_option("--fov", params->fov, "Vertical field of view, degrees")
-      ->check(CLI::Range(1.0, 170.0))
+      ->check(number_between(1.0, 170.0))
+      ->capture_default_str();
+  command->add_option("--time", params->time, "Seconds: where entities with keyframes stand")
+      ->check(number_between(-kLargestTime, kLargestTime))
       ->capture_default_str();
   command->add_option("--size", params->size, "Image size whose aspect ratio counts")->capture_default_str();
   command->add_option("-o,--output", params->output, "Camera script to write; default: standard output");

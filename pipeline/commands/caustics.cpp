@@ -1,11 +1,14 @@
-#include <cstdio>
+#include <array>
 #include <thread>
 
 #include <CLI/CLI.hpp>
 
+#include "base/file_clashes.h"
 #include "base/files.h"
 #include "pipeline/caustics_study.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_range.h"
+#include "pipeline/console.h"
 #include "pipeline/snapshot.h"
 #include "scene/scene_file.h"
 
@@ -22,19 +25,21 @@ struct CausticsParams {
 ExitCode run_caustics(const CausticsParams& params) {
   CausticsStudyOptions options = params.options;
   options.threads = int(std::max(1u, std::thread::hardware_concurrency()));
+  const std::array outputs{NamedFile{"-o", params.output}};
+  check_outputs(outputs, named("a scene", std::vector<std::filesystem::path>(params.scenes.begin(),
+                                                                             params.scenes.end())));
   if (!params.output.empty()) require_writable(params.output);
   std::vector<std::pair<std::string, std::vector<ReceiverFigures>>> figures;
   for (const std::string& file : params.scenes) {
     Scene scene = load_scene(file);
+    check_outputs(outputs, named("a file of the scene", file_paths(scene)));
     if (scene.water)
       for (Wave& wave : scene.water->waves) wave.amplitude *= params.amplitudes;
-    figures.emplace_back(scene.name, study_caustics(scene, options, [](const std::string& step) {
-                           std::fprintf(stderr, "%s\n", step.c_str());
-                         }));
+    figures.emplace_back(scene.name, study_caustics(scene, options, say_aside));
   }
   const std::string tables = caustics_tables(figures, options.slices);
   if (params.output.empty())
-    std::printf("%s", tables.c_str());
+    say(tables);
   else
     write_file_atomic(params.output, tables);
   return ExitCode::ok;
@@ -50,28 +55,28 @@ void add_caustics_command(CLI::App& app, Action& action) {
   CausticsStudyOptions& options = params->options;
   command->add_option("scene", params->scenes, "Scene files with water")->required();
   command->add_option("--rays", options.rays, "Of each light, through the water; about so many")
-      ->check(CLI::Range(1000.0, 1e11))
+      ->check(number_between(1000.0, 1e11))
       ->capture_default_str();
   command->add_option("--map-size", options.map_size, "Texels along an edge of a receiver's maps")
-      ->check(CLI::Range(16, 4096))
+      ->check(number_between(16, 4096))
       ->capture_default_str();
   command->add_option("--slices", options.slices, "Of a receiver's box")
-      ->check(CLI::Range(1, 2000))
+      ->check(number_between(1, 2000))
       ->capture_default_str();
   command->add_option("--most", options.most, "Flat water's light: brighter texels count as so bright")
-      ->check(CLI::Range(0.01, 1e6))
+      ->check(number_between(0.01, 1e6))
       ->capture_default_str();
   command
       ->add_option("--amplitudes", params->amplitudes,
                    "Waves that are so many times as high as in the scenes")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(number_between(0.0, 100.0))
       ->capture_default_str();
   command->add_flag("--povray", options.povray, "POV-Ray's photons, too: about a minute a receiver");
   command
       ->add_option("--photon-spacing", options.photon_spacing,
                    "Between POV-Ray's photons, as a share of the water's longer side; half of it takes four "
                    "times the time and memory (0.2 GB by default)")
-      ->check(CLI::Range(1e-5, 0.1))
+      ->check(number_between(1e-5, 0.1))
       ->capture_default_str();
   command->add_option("-o,--output", params->output, "Markdown file to write; default: print it");
   command->footer(

@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include "base/image_kinds.h"
 #include "base/text.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_range.h"
 #include "pipeline/score.h"
 #include "pipeline/tables.h"
 #include "reports/escape.h"
@@ -61,7 +63,9 @@ void add_compare_command(CLI::App& app, Action& action) {
   CLI::App* command = nullptr;
   auto params =
       add_command<CompareParams>(app, "compare", "Compare two pictures", action, run_compare, command);
-  command->add_option("reference", params->reference, "The truth: any picture that OpenImageIO reads")
+  command
+      ->add_option("reference", params->reference,
+                   "The truth: a picture in one of the formats " + image_kind_names())
       ->required();
   command->add_option("image", params->image, "The picture to judge, of the same size")->required();
   command
@@ -77,7 +81,7 @@ void add_compare_command(CLI::App& app, Action& action) {
   command->add_option("--diff", params->difference, "Write the negative of the absolute error (PNG)");
   command->add_option("--heat", params->heat, "Write the error as a heat map with a colour bar (PNG)");
   command->add_option("--heat-scale", params->heat_scale, "Error at the end of the colour bar, of 255")
-      ->check(CLI::Range(1.0, 255.0))
+      ->check(number_between(1.0, 255.0))
       ->capture_default_str();
   command->add_flag("--json", params->json, "Print JSON");
   command->footer(

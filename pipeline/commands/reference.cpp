@@ -1,15 +1,17 @@
-#include <cstdio>
+#include <array>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
-#include "base/color.h"
 #include "base/error.h"
+#include "base/file_clashes.h"
 #include "base/files.h"
-#include "base/image_io.h"
 #include "base/text.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_range.h"
 #include "pipeline/commands/view_options.h"
+#include "pipeline/console.h"
 #include "pipeline/references.h"
 #include "pipeline/snapshot.h"
 #include "pipeline/tables.h"
@@ -33,15 +35,13 @@ ReferenceImage render_export(const ReferenceKind& kind, const ReferenceRequest& 
   const auto stem = folder.path() / "view";
   exported->write_shared(folder.path());
   exported->write_view(request, stem);
-  for (const auto& warning : exported->warnings()) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  print_warnings(exported->warnings());
   return kind.run_export(request, {stem, folder.path()});
 }
 
 ExitCode run_reference(const ReferenceParams& params) {
   const std::filesystem::path output = params.output;
-  if (output.extension() != ".png" && output.extension() != ".exr")
-    throw Error("must end in .png or .exr", "-o " + output.string());
-  require_writable(output);  // rather than after minutes of rendering
+  check_picture_name(output);
   const ReferenceKind& kind = find_reference_kind(params.kind, "--kind");
   const std::string version = kind.tool_version();
   const ImageSize size = parse_size(params.view.size);
@@ -49,21 +49,21 @@ ExitCode run_reference(const ReferenceParams& params) {
       resolve_params(kind.params, kind.presets, params.preset.empty() ? kind.default_preset : params.preset,
                      parse_params(kind.params, params.params), "--preset");
   Scene scene = load_scene(params.view.scene);
+  check_outputs(std::array{NamedFile{"-o", output}}, input_files(params.view, scene));
+  require_writable(output);  // rather than after minutes of rendering
   const View view = chosen_view(params.view, scene);
   const ReferenceRequest request{view,        size.width,
                                  size.height, params.view.samples,
                                  values,      std::chrono::milliseconds(std::llround(params.timeout * 1000))};
   const ReferenceImage made =
       kind.exports() ? render_export(kind, request, scene) : kind.run_scene(request, scene);
-  if (output.extension() == ".exr")
-    write_exr(output, made.image, PixelType::half);
-  else
-    write_png(output, first_channels(to_srgb8(made.image), 3));
-  std::printf("%s: %.1f s (%.1f s of processor time)\n", version.c_str(), made.seconds, made.cpu_seconds);
+  print_warnings(made.warnings);
+  print_warnings(write_picture(output, made.image));
+  say(fmt::format("{}: {:.1f} s ({:.1f} s of processor time)", version, made.seconds, made.cpu_seconds));
   for (const auto& [name, rate] : made.ray_rates)
-    std::printf("%s rays: %.2f million a second\n", name.c_str(), rate / 1e6);
-  if (made.noise) std::printf("estimated error: %.3f of 255\n", *made.noise);
-  std::printf("%s\n", output.c_str());
+    say(fmt::format("{} rays: {:.2f} million a second", name, rate / 1e6));
+  if (made.noise) say(fmt::format("estimated error: {:.3f} of 255", *made.noise));
+  say(output.string());
   return ExitCode::ok;
 }
 
@@ -80,7 +80,7 @@ void add_reference_command(CLI::App& app, Action& action) {
   command->add_option("-p,--param", params->params, "NAME=VALUE; may stand several times")
       ->allow_extra_args(false);
   command->add_option("--timeout", params->timeout, "Seconds after which it is stopped")
-      ->check(CLI::Range(0.1, 1e7))
+      ->check(number_between(0.1, 1e7))
       ->capture_default_str();
   command->add_option("-o,--output", params->output, ".png (8-bit sRGB) or .exr (linear, alpha is coverage)")
       ->capture_default_str();

@@ -5,19 +5,26 @@
 #include <CLI/CLI.hpp>
 
 #include "base/error.h"
+#include "pipeline/commands/number_range.h"
 
 namespace lightbench {
 
 void add_run_flags(CLI::App& command, RunFlags& flags) {
   command.add_option("--out", flags.out, "Folder of the run; default: out/<job name>");
   command.add_option("-j,--jobs", flags.places, "Workers at a time; default: one for each core")
-      ->check(CLI::Range(1, 1024));
+      ->check(number_between(1, 1024));
   command.add_option(
       "--only", flags.only,
       "Only what matches this pattern of scene/view/variant or scene/view/reference, and what it needs");
   command.add_option("--gl", flags.gl, "OpenGL back end")
       ->check(CLI::IsMember({"osmesa", "egl"}))
       ->capture_default_str();
+}
+
+void add_partial_flag(CLI::App& command, bool& partial) {
+  command.add_flag("--partial", partial,
+                   "Judge gates by the scores that this run has; without it a gate that lacks one of its "
+                   "scores is not judged (exit code 5)");
 }
 
 RunOptions run_options(const RunFlags& flags) {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <filesystem>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +9,8 @@
 #include "pipeline/caustics_methods.h"
 #include "pipeline/commands/busy.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/number_range.h"
+#include "pipeline/console.h"
 #include "pipeline/slicing_study.h"
 #include "pipeline/snapshot.h"
 #include "renderer/renderer.h"
@@ -63,14 +64,12 @@ ExitCode run_slicing(const SlicingParams& params) {
   report.rounds = options.rounds;
   report.renderer = Renderer(options.backend).description();
   for (const std::string& file : params.scenes)
-    for (SlicedReceiver& receiver : study_slicing(load_scene(file), options, [](const std::string& step) {
-           std::fprintf(stderr, "%s\n", step.c_str());
-         }))
+    for (SlicedReceiver& receiver : study_slicing(load_scene(file), options, say_aside))
       report.receivers.push_back(std::move(receiver));
   if (report.receivers.empty()) throw Error("no receiver is there to time", params.scenes.front());
   for (const ReportFile& written : slicing_files(report))
     write_file_atomic(folder / written.name, written.text);
-  std::printf("%s\n", (folder / "index.html").c_str());
+  say((folder / "index.html").string());
   return ExitCode::ok;
 }
 
@@ -95,10 +94,10 @@ void add_slicing_command(CLI::App& app, Action& action) {
       ->check(CLI::IsMember(names))
       ->expected(1, int(names.size()));
   command->add_option("--rounds", options.rounds, "Measured maps of each method")
-      ->check(CLI::Range(1, 1000))
+      ->check(number_between(1, 1000))
       ->capture_default_str();
   command->add_option("--map-size", options.map_size, "Texels along an edge of a receiver's maps")
-      ->check(CLI::Range(16, 4096))
+      ->check(number_between(16, 4096))
       ->capture_default_str();
   command->add_option("--without", options.without, "Names of receivers to leave out")
       ->delimiter(',')

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 
 #include <CLI/CLI.hpp>
 #include <glm/trigonometric.hpp>
@@ -10,11 +9,14 @@
 #include "base/error.h"
 #include "base/image_io.h"
 #include "base/text.h"
+#include "pipeline/commands/number_range.h"
+#include "pipeline/console.h"
 #include "pipeline/tables.h"
 #include "renderer/rays.h"
 #include "scene/camera_script.h"
 #include "scene/motion.h"
 #include "scene/random_views.h"
+#include "scene/scene_json.h"
 
 namespace lightbench {
 namespace {
@@ -53,21 +55,26 @@ void add_view_options(CLI::App& command, ViewOptions& options) {
       ->needs(cameras);
   auto* position = command.add_option("--position", options.position, "Camera position: x y z")->expected(3);
   position->excludes(cameras);
+  const CLI::Validator coordinate = number_between(-kLargestCoordinate, kLargestCoordinate);
+  position->check(coordinate);
   command.add_option("--look-at", options.look_at, "Point that the camera looks at: x y z")
       ->expected(3)
+      ->check(coordinate)
       ->needs(position);
   command.add_option("--up", options.up, "Up direction: x y z")
       ->expected(3)
+      ->check(coordinate)
       ->needs(position)
       ->capture_default_str();
   command
       .add_option("--fov", options.fov, "Vertical field of view, degrees, of --position and of a drawn view")
-      ->check(CLI::Range(1.0, 170.0))
+      ->check(number_between(1.0, 170.0))
       ->capture_default_str();
-  command.add_option("--time", options.time, "Seconds: where keyframes stand; default: the view's time");
+  command.add_option("--time", options.time, "Seconds: where keyframes stand; default: the view's time")
+      ->check(number_between(-kLargestTime, kLargestTime));
   command.add_option("--size", options.size, "Image size, WIDTHxHEIGHT")->capture_default_str();
   command.add_option("--samples", options.samples, "Supersampling per axis")
-      ->check(CLI::Range(1, 8))
+      ->check(number_between(1, 8))
       ->capture_default_str();
 }
 
@@ -86,11 +93,11 @@ ImageSize parse_size(const std::string& text) {
 
 namespace {
 
-/// As the script has them.
+/// Returns the views that the options name, as the camera script has them.
 std::vector<View> named_views(const ViewOptions& options, const Scene& scene) {
   if (options.cameras.empty()) {
     if (!options.position.empty()) return {given_view(options)};
-    std::fprintf(stderr, "no camera is given: a view is drawn at random (seed 1)\n");
+    say_aside("no camera is given: a view is drawn at random (seed 1)");
     return {drawn_view(options, scene)};
   }
   const auto views = read_camera_script(options.cameras);
@@ -120,6 +127,21 @@ View chosen_view(const ViewOptions& options, Scene& scene) {
   return view;
 }
 
+std::vector<NamedFile> input_files(const ViewOptions& options, const Scene& scene) {
+  std::vector<NamedFile> files = named("a file of the scene", file_paths(scene));
+  files.push_back({"the camera script", options.cameras});
+  return files;
+}
+
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const auto& warning : warnings) warn(warning);
+}
+
+void check_picture_name(const std::filesystem::path& output) {
+  if (output.extension() != ".png" && output.extension() != ".exr")
+    throw Error("must end in .png or .exr", "-o " + output.string());
+}
+
 std::map<std::string, ParamValue> parse_params(std::span<const ParamSpec> specs,
                                                const std::vector<std::string>& texts) {
   std::map<std::string, ParamValue> result;
@@ -131,7 +153,11 @@ std::map<std::string, ParamValue> parse_params(std::span<const ParamSpec> specs,
         std::find_if(specs.begin(), specs.end(), [&](const ParamSpec& s) { return s.name == name; });
     if (spec == specs.end())
       throw Error("unknown parameter '" + name + "'" + did_you_mean(name, row_names(specs)), "--param");
-    result[name] = parse_param(*spec, text.substr(equals + 1), "--param " + name);
+    const std::string value = text.substr(equals + 1), where = "--param " + name;
+    if (is_path_param(*spec))
+      result[name] = resolve_path_param(*spec, value, std::filesystem::current_path(), where);
+    else
+      result[name] = parse_param(*spec, value, where);
   }
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include <CLI/App.hpp>
 
+#include "base/file_clashes.h"
 #include "base/params.h"
 #include "scene/scene.h"
 
@@ -38,7 +39,13 @@ std::vector<View> chosen_views(const ViewOptions& options, Scene& scene);
 /// The first of them, with the scene put at its time.
 View chosen_view(const ViewOptions& options, Scene& scene);
 
-/// `name=value` texts as parameters of a technique or reference.
+/// What was read for them: the scene's files and the camera script.
+std::vector<NamedFile> input_files(const ViewOptions& options, const Scene& scene);
+void print_warnings(const std::vector<std::string>& warnings);  ///< to standard error
+/// Throws Error unless a picture's name ends in .png or .exr.
+void check_picture_name(const std::filesystem::path& output);
+
+/// `name=value` texts as parameters of a technique or reference; paths are relative to the working directory.
 std::map<std::string, ParamValue> parse_params(std::span<const ParamSpec> specs,
                                                const std::vector<std::string>& texts);
 
