@@ -1,10 +1,15 @@
 #include "pipeline/plan_file.h"
 
+#include <algorithm>
+#include <limits>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "base/files.h"
+#include "base/json_bytes.h"
+#include "base/json_reader.h"
+#include "pipeline/concrete.h"
 #include "pipeline/job_file.h"
 
 namespace lightbench {
@@ -33,36 +38,97 @@ Json task_json(const Task& task, const std::vector<Task>& tasks) {
   return json;
 }
 
-TaskKind kind_of(const std::string& text) {
+TaskKind kind_of(const JsonValue& value) {
   const auto& names = task_kind_names();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == text) return static_cast<TaskKind>(i);
-  throw Error("unknown kind of task '" + text + "'");
+  const std::string name = value.choice(names);
+  return static_cast<TaskKind>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-Task task_of(const Json& json, const std::map<std::string, std::size_t>& index) {
-  Task task;
-  task.id = json.at("id").get<std::string>();
-  task.kind = kind_of(json.at("kind").get<std::string>());
-  task.label = json.at("label").get<std::string>();
-  task.key = json.at("key").get<std::string>();
-  for (const auto& part : json.at("parts"))
-    task.key_parts.emplace_back(part.at(0).get<std::string>(), part.at(1).get<std::string>());
-  task.outputs = json.at("outputs").get<std::vector<std::string>>();
-  for (const auto& dep : json.at("deps")) task.deps.push_back(index.at(dep.get<std::string>()));
-  task.scene = json.at("scene").get<int>();
-  task.view = json.at("view").get<int>();
-  task.variant = json.at("variant").get<int>();
-  task.reference = json.at("reference").get<int>();
-  task.object = json.at("object").get<int>();
-  task.resources.cores = json.at("resources").at("cores").get<int>();
-  task.resources.gpu = json.at("resources").at("gpu").get<int>();
-  task.resources.memory_mb = json.at("resources").at("memory_mb").get<int>();
-  task.expected_seconds = json.at("expected_seconds").get<double>();
-  task.timeout_seconds = json.at("timeout_seconds").get<double>();
-  task.group = json.at("group").get<std::string>();
-  task.refused = json.value("refused", "");
-  return task;
+std::vector<std::string> texts(const JsonValue& list) {
+  std::vector<std::string> result;
+  for (const auto& item : list.items()) result.push_back(item.text());
+  return result;
+}
+
+Resources resources_of(JsonObject json) {
+  constexpr int kMost = std::numeric_limits<int>::max();
+  Resources resources;
+  resources.cores = int(json.at("cores").integer(0, kMost));
+  resources.gpu = int(json.at("gpu").integer(0, kMost));
+  resources.memory_mb = int(json.at("memory_mb").integer(0, kMost));
+  json.finish();
+  return resources;
+}
+
+/// Tasks of a plan, one after the other; each number that points at something is checked.
+class TaskReader {
+ public:
+  explicit TaskReader(const Job& job) : job_(job) {}
+
+  Task read(const JsonValue& value) {
+    JsonObject json = value.object();
+    Task task;
+    task.id = json.at("id").text();
+    task.kind = kind_of(json.at("kind"));
+    task.label = json.at("label").text();
+    task.key = json.at("key").text();
+    for (const auto& part : json.at("parts").items()) task.key_parts.push_back(part_of(part));
+    task.outputs = texts(json.at("outputs"));
+    for (const auto& dep : json.at("deps").items()) task.deps.push_back(earlier(dep));
+    read_indices(json, task);
+    task.resources = resources_of(json.at("resources").object());
+    task.expected_seconds = json.at("expected_seconds").number(0);
+    task.timeout_seconds = json.at("timeout_seconds").number(0);
+    task.group = json.at("group").text();
+    if (const auto refused = json.find("refused")) task.refused = refused->text();
+    json.finish();
+    if (!ids_.try_emplace(task.id, ids_.size()).second) value.fail("the task '" + task.id + "' stands twice");
+    return task;
+  }
+
+ private:
+  static std::pair<std::string, std::string> part_of(const JsonValue& value) {
+    const auto part = texts(value);
+    if (part.size() != 2) value.fail("must be a name and a value");
+    return {part[0], part[1]};
+  }
+
+  std::size_t earlier(const JsonValue& id) const {
+    const auto found = ids_.find(id.text());
+    if (found == ids_.end()) id.fail("is no task that stands before this one");
+    return found->second;
+  }
+
+  static int index(const JsonValue& value, std::size_t count, bool needed) {
+    return int(value.integer(needed ? 0 : kNone, static_cast<long long>(count) - 1));
+  }
+
+  void read_indices(JsonObject& json, Task& task) const {
+    const auto is = [&](auto... kinds) { return ((task.kind == kinds) || ...); };
+    using enum TaskKind;
+    constexpr std::size_t kMost = std::numeric_limits<int>::max();
+    task.scene = index(json.at("scene"), job_.scenes.size(), true);
+    task.view = index(json.at("view"), views_of(job_.scenes[std::size_t(task.scene)]).size(),
+                      is(snapshot, reference, score));
+    task.variant = index(json.at("variant"), job_.variants.size(), is(bake, compress, snapshot, score));
+    task.reference = index(json.at("reference"), job_.references.size(), is(export_, reference, score));
+    task.object = index(json.at("object"), kMost, is(bake, compress));
+    if (task.outputs.empty() && is(bake)) json.fail("a bake needs an output");
+  }
+
+  const Job& job_;
+  std::map<std::string, std::size_t> ids_;
+};
+
+/// The job of a plan has nothing left to decide.
+Job concrete_job(const JsonValue& value, const std::filesystem::path& file) {
+  Job job = parse_job(value.raw().dump(), file, JobText::concrete);
+  for (const auto& scene : job.scenes)
+    if (!std::holds_alternative<std::vector<View>>(scene.views))
+      value.fail("the views of scene '" + scene.name + "' are not written out");
+  for (const auto& variant : job.variants)
+    if (!variant.sweep.empty()) value.fail("the variant '" + variant.name + "' has a sweep");
+  return job;
 }
 
 }  // namespace
@@ -70,32 +136,28 @@ Task task_of(const Json& json, const std::map<std::string, std::size_t>& index) 
 std::string plan_to_json(const Plan& plan) {
   Json json = {{"format", kPlanFormatVersion}, {"out", plan.out.string()}, {"gl", plan.gl}};
   json["job_file"] = std::filesystem::absolute(plan.job.file).string();
-  json["job"] = Json::parse(job_text(plan.job));
+  json["job"] = parse_json_text(job_text(plan.job));
   json["scene_hashes"] = plan.scene_hashes;
   json["tasks"] = Json::array();
   for (const auto& task : plan.tasks) json["tasks"].push_back(task_json(task, plan.tasks));
-  return json.dump(1) + "\n";
+  return json_text(json, 1) + "\n";
 }
 
-Plan read_plan(const std::filesystem::path& file) try {
-  const Json json = Json::parse(read_file(file));
-  if (json.at("format").get<int>() != kPlanFormatVersion)
+Plan read_plan(const std::filesystem::path& file) {
+  JsonObject json = JsonValue::parse_file(file, kOwnJson).object();
+  if (json.at("format").integer() != kPlanFormatVersion)
     throw Error("is a plan of another version of lightbench", file.string());
   Plan plan;
-  plan.out = json.at("out").get<std::string>();
-  plan.gl = json.at("gl").get<std::string>();
-  plan.job = parse_job(json.at("job").dump(), json.at("job_file").get<std::string>());
-  plan.scene_hashes = json.at("scene_hashes").get<std::vector<std::string>>();
-  std::map<std::string, std::size_t> index;
-  for (const auto& task : json.at("tasks")) {
-    plan.tasks.push_back(task_of(task, index));
-    index[plan.tasks.back().id] = plan.tasks.size() - 1;
-  }
+  plan.out = json.at("out").text();
+  plan.gl = json.at("gl").text();
+  plan.job = concrete_job(json.at("job"), json.at("job_file").text());
+  const JsonValue hashes = json.at("scene_hashes");
+  plan.scene_hashes = texts(hashes);
+  if (plan.scene_hashes.size() != plan.job.scenes.size()) hashes.fail("there must be one for each scene");
+  TaskReader reader(plan.job);
+  for (const auto& task : json.at("tasks").items()) plan.tasks.push_back(reader.read(task));
+  json.finish();
   return plan;
-} catch (const nlohmann::json::exception& error) {
-  throw Error(std::string("is not a plan: ") + error.what(), file.string());
-} catch (const std::out_of_range&) {
-  throw Error("is not a plan: a task needs one that is not there", file.string());
 }
 
 }  // namespace lightbench

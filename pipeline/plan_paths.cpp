@@ -14,11 +14,10 @@
 namespace lightbench {
 namespace {
 
-/// A name within a file name whose parts are kept apart by '~'.
+/// A name within a file name whose parts are kept apart by '~'. With it two of them, the longest suffix and
+/// what a temporary file puts before them have less than the 255 bytes of a file's name.
 std::string file_name_part(const std::string& name) {
-  std::string result;
-  for (const char c : escape_file_name(name)) result += c == '~' ? std::string("%7E") : std::string(1, c);
-  return result;
+  return escape_file_name(name, "~");
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "pipeline/work.h"
 
 #include <algorithm>
+#include <string_view>
+#include <unordered_map>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,10 +12,14 @@
 #include "base/files.h"
 #include "base/hash.h"
 #include "base/image_io.h"
+#include "base/json_bytes.h"
 #include "base/process.h"
 #include "base/stopwatch.h"
 #include "pipeline/concrete.h"
+#include "pipeline/input_hashes.h"
+#include "pipeline/inspect.h"
 #include "pipeline/plan_file.h"
+#include "pipeline/run_folder.h"
 #include "pipeline/score.h"
 #include "pipeline/snapshot.h"
 #include "renderer/radiance/object_bake.h"
@@ -32,6 +38,38 @@ void check_same_export(const Task& task, const KeyParts& made) {
       throw Error("the scene's files changed while the run went on (" + part.first + ")");
 }
 
+/// The scene that was planned must be the one that was loaded; else the pictures would stand under its key.
+void check_same_scene(const Plan& plan, const Task& task, const Scene& scene) {
+  const KeyParts loaded = file_parts(scene);
+  if (key_of(loaded) == plan.scene_hashes[std::size_t(task.scene)]) return;
+  std::string what;
+  for (const auto& [name, hash] : loaded) {
+    const KeyParts::value_type part{"file " + name, hash};
+    const auto of_name = std::ranges::find(task.key_parts, part.first, &KeyParts::value_type::first);
+    if (of_name != task.key_parts.end() && std::ranges::find(task.key_parts, part) == task.key_parts.end())
+      what = " (" + name + ")";
+  }
+  throw Error("the scene's files changed while the run went on" + what);
+}
+
+/// The picture of another engine must be the one that was planned, too.
+void check_same_picture(const Task& task, const FrameResult& frame) {
+  const auto planned = std::ranges::find(task.key_parts, "picture", &KeyParts::value_type::first);
+  if (planned != task.key_parts.end() && planned->second != frame.picture_hash)
+    throw Error("the picture was changed while the run went on");
+}
+
+void append(std::vector<std::string>& warnings, const std::vector<std::string>& more) {
+  warnings.insert(warnings.end(), more.begin(), more.end());
+}
+
+/// A plan does not know how many entities a scene has.
+void check_object(const Task& task, const Scene& scene) {
+  if (std::size_t(task.object) >= scene.entities.size())
+    throw Error(
+        fmt::format("object {} is none of the scene's {} entities", task.object, scene.entities.size()));
+}
+
 }  // namespace
 
 struct TaskWorker::Impl {
@@ -43,6 +81,7 @@ struct TaskWorker::Impl {
   Scene scene;
   std::unique_ptr<ObjectBaker> baker;                           ///< of that scene
   std::map<std::string, std::unique_ptr<SceneExport>> exports;  ///< of that scene, by reference kind
+  InputHashes input_hashes;
 
   const Job& job() const { return plan.job; }
   const JobScene& job_scene(const Task& task) const { return job().scenes[std::size_t(task.scene)]; }
@@ -59,6 +98,7 @@ struct TaskWorker::Impl {
       renderer.reset();
       loaded = kNone;
       scene = load_scene(job_scene(task).file);
+      check_same_scene(plan, task, scene);
       scene.name = job_scene(task).name;  // what a folder of pictures is searched by
       loaded = task.scene;
     }
@@ -81,6 +121,9 @@ struct TaskWorker::Impl {
   ImageMetadata fingerprint(const ReferenceKind& kind, const ReferenceRequest& request,
                             const ReferenceImage& made, const Task& task) const;
 
+  /// The outputs of a task that was done. A plan does not name those of an export that all views share.
+  std::vector<std::string> files_of(const Task& task) const;
+
   TaskResult bake(const Task& task);
   TaskResult compress(const Task& task);
   TaskResult snapshot(const Task& task);
@@ -101,8 +144,19 @@ ImageMetadata TaskWorker::Impl::fingerprint(const ReferenceKind& kind, const Ref
   return metadata;
 }
 
+std::vector<std::string> TaskWorker::Impl::files_of(const Task& task) const {
+  std::vector<std::string> files = task.outputs;
+  if (task.kind != TaskKind::export_ || task.view != kNone) return files;
+  const std::string folder =
+      shared_export_folder(job(), task.scene, job().references[std::size_t(task.reference)].kind);
+  for (const auto& entry : std::filesystem::directory_iterator(file(folder)))
+    if (entry.is_regular_file()) files.push_back(folder + "/" + entry.path().filename().string());
+  return files;
+}
+
 TaskResult TaskWorker::Impl::bake(const Task& task) {
   load(task);
+  check_object(task, scene);
   if (!baker) baker = std::make_unique<ObjectBaker>(scene);
   const JobVariant& variant = job().variants[std::size_t(task.variant)];
   const Stopwatch watch;
@@ -124,6 +178,7 @@ TaskResult TaskWorker::Impl::bake(const Task& task) {
 
 TaskResult TaskWorker::Impl::compress(const Task& task) {
   load(task);
+  check_object(task, scene);
   const JobVariant& variant = job().variants[std::size_t(task.variant)];
   const ParamValues params = variant_params(variant);
   const Stopwatch watch;
@@ -155,14 +210,16 @@ TaskResult TaskWorker::Impl::snapshot(const Task& task) {
   const double cpu_start = own_cpu_seconds();
   FrameResult frame =
       renderer->render(find_technique(variant.technique, ""), variant_params(variant), request);
+  check_same_picture(task, frame);
   TaskResult result;
   result.seconds = watch.seconds();
   result.cpu_seconds = own_cpu_seconds() - cpu_start;
   for (const auto& pass : frame.passes) result.passes.push_back({pass.name, pass.seconds});
   result.warnings = frame.warnings;
   const std::string stem = image_stem(job(), task.scene, task.view, variant.name);
-  write_image_pair(file(stem + ".exr"), file(stem + ".png"), frame.image,
-                   {{"lightbench:technique", variant.technique}, {"lightbench:key", task.key}});
+  append(result.warnings,
+         write_image_pair(file(stem + ".exr"), file(stem + ".png"), frame.image,
+                          {{"lightbench:technique", variant.technique}, {"lightbench:key", task.key}}));
   for (const auto& name : buffers) {
     const std::string buffer = buffer_stem(job(), task.scene, task.view, variant.name, name);
     const auto found = frame.buffers.find(name);
@@ -184,7 +241,8 @@ TaskResult TaskWorker::Impl::export_scene(const Task& task) {
     return result;
   }
   const std::string folder = shared_export_folder(job(), task.scene, reference.kind);
-  for (const auto& name : exported.write_shared(file(folder))) result.outputs[folder + "/" + name];
+  exported.write_shared(file(folder));
+  for (const auto& name : exported.shared_files()) result.outputs[folder + "/" + name];
   return result;
 }
 
@@ -206,8 +264,9 @@ TaskResult TaskWorker::Impl::reference(const Task& task) {
   result.noise = made.noise;
   result.mean_luminance = mean_luminance(made.image);
   result.ray_rates = made.ray_rates;
-  write_image_pair(file(stem + ".exr"), file(stem + ".png"), made.image,
-                   fingerprint(kind, request, made, task));
+  result.warnings = made.warnings;
+  append(result.warnings, write_image_pair(file(stem + ".exr"), file(stem + ".png"), made.image,
+                                           fingerprint(kind, request, made, task)));
   return result;
 }
 
@@ -236,6 +295,11 @@ TaskResult TaskWorker::Impl::score(const Task& task) {
   const std::string stem = score_stem(job(), task.scene, task.view, variant, reference);
   TaskResult result;
   result.metrics = score.metrics;
+  if (score.identical)
+    result.warnings.push_back(
+        fmt::format("the pictures of {} and {} are identical; this tells how near they are only if they were "
+                    "made independently",
+                    variant, reference));
   write_file_atomic(file(stem + ".score.json"), score_json(score));
   for (const auto& output : task.outputs) {
     if (output.ends_with(".heat.png"))
@@ -276,6 +340,9 @@ TaskResult TaskWorker::work(const Task& task) {
       break;
   }
   if (result.seconds == 0) result.seconds = watch.seconds();
+  for (const std::size_t dep : task.deps)
+    for (const auto& file : impl_->files_of(impl_->plan.tasks[dep]))
+      result.inputs[file] = impl_->input_hashes.hash(impl_->file(file));
   for (const auto& output : task.outputs) result.outputs[output];
   for (auto& [file, hash] : result.outputs) hash = hash_file(impl_->file(file));
   return result;
@@ -284,23 +351,22 @@ TaskResult TaskWorker::work(const Task& task) {
 void work_tasks(const std::string& plan_file, const std::vector<std::string>& ids,
                 const std::function<void(const std::string& line)>& say) {
   const Plan plan = read_plan(plan_file);
+  std::unordered_map<std::string_view, const Task*> by_id;
+  for (const Task& task : plan.tasks) by_id[task.id] = &task;
   std::vector<const Task*> tasks;
   for (const auto& id : ids) {
-    const auto found =
-        std::find_if(plan.tasks.begin(), plan.tasks.end(), [&](const Task& t) { return t.id == id; });
-    if (found == plan.tasks.end()) throw Error("has no task '" + id + "'", plan_file);
-    tasks.push_back(&*found);
+    const auto found = by_id.find(id);
+    if (found == by_id.end()) throw Error("has no task '" + id + "'", plan_file);
+    tasks.push_back(found->second);
   }
   TaskWorker worker(plan);
-  const auto text = [](const nlohmann::ordered_json& json) {
-    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  };
   for (const Task* task : tasks) {
     say("start " + task->id);
     try {
-      say("done " + task->id + " " + text(to_json(worker.work(*task))));
+      check_output_folders(plan, *task);
+      say("done " + task->id + " " + json_text(to_json(worker.work(*task))));
     } catch (const Error& error) {
-      say("fail " + task->id + " " + text(error.what()));
+      say("fail " + task->id + " " + json_text(error.what()));
     }
   }
 }

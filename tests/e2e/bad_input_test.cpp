@@ -1,3 +1,7 @@
+#include <algorithm>
+
+#include <sys/stat.h>
+
 #include "e2e_fixture.h"
 
 namespace lightbench {
@@ -96,6 +100,104 @@ const BadInput kBadInputs[] = {
     {"score of no run", "", "", {"score", "."}, "plan.json"},
 };
 INSTANTIATE_TEST_SUITE_P(All, BadInputTo, ::testing::ValuesIn(kBadInputs));
+
+/// A number option of each command that has one, without its value.
+const std::vector<std::vector<std::string>> kNumberOptions = {
+    {"render", "scene.json", "--fov"},
+    {"render", "scene.json", "--time"},
+    {"render", "scene.json", "--samples"},
+    {"render", "scene.json", "--look-at", "0", "0", "0", "--position", "0", "0"},
+    {"render", "scene.json", "--position", "0", "0", "4", "--look-at", "0", "0"},
+    {"render", "scene.json", "--position", "0", "0", "4", "--look-at", "0", "0", "0", "--up", "0", "0"},
+    {"reference", "scene.json", "-o", "out.png", "--timeout"},
+    {"compare", "a.png", "a.png", "--heat-scale"},
+    {"cameras", "scene.json", "--fov"},
+    {"cameras", "scene.json", "--random"},
+    {"cameras", "scene.json", "--seed"},
+    {"bake", "scene.json", "--threads"},
+    {"bench", "job.json", "--rounds"},
+    {"run", "job.json", "-j"},
+    {"caustics", "scene.json", "--rays"},
+    {"caustics", "scene.json", "--map-size"},
+    {"caustics", "scene.json", "--slices"},
+    {"caustics", "scene.json", "--most"},
+    {"caustics", "scene.json", "--amplitudes"},
+    {"caustics", "scene.json", "--photon-spacing"},
+    {"slicing", "scene.json", "-o", "slicing", "--rounds"},
+    {"slicing", "scene.json", "-o", "slicing", "--map-size"},
+    {"slicing", "scene.json", "-o", "slicing", "--planes"},
+};
+
+class NumberOption : public test::Program, public ::testing::WithParamInterface<std::vector<std::string>> {};
+
+TEST_P(NumberOption, TakesFiniteNumbersOnly) {
+  const auto before = files();
+  const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
+  const std::string option = *std::find_if(GetParam().rbegin(), GetParam().rend(), is_option);
+  for (const char* value : {"nan", "inf", "-inf", "1e999", "3x"}) {
+    auto arguments = GetParam();
+    arguments.emplace_back(value);
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 3) << value << ": " << result.out << result.err;
+    EXPECT_THAT(result.out + result.err, HasSubstr(option)) << value;
+  }
+  EXPECT_EQ(files(), before);
+}
+INSTANTIATE_TEST_SUITE_P(All, NumberOption, ::testing::ValuesIn(kNumberOptions));
+
+TEST_F(BadInputTo, AParameterThatIsNotFiniteIsAnError) {
+  for (const char* value : {"nan", "inf", "-nan"}) {
+    const auto result = run({"render", "scene.json", "-t", "ambient", "-p", std::string("k=") + value});
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_THAT(result.err, HasSubstr("--param k: 'k' must be between"));
+  }
+}
+
+/// What has no end, in the place of each file that a command reads.
+class Endless : public test::Program {
+ protected:
+  void expect_refused(const std::string& file, const std::vector<std::string>& arguments) {
+    std::filesystem::remove(path(file));
+    ASSERT_EQ(::mkfifo(path(file).c_str(), 0600), 0);
+    expect_error(file, arguments, "is not a regular file (a FIFO)");
+    std::filesystem::remove(path(file));
+    std::filesystem::create_symlink("/dev/zero", path(file));
+    expect_error(file, arguments, "is not a regular file (a device)");
+    std::filesystem::remove(path(file));
+    write(file, "");
+    std::filesystem::resize_file(path(file), 1'000'000'000'000);
+    expect_error(file, arguments, "has 1 TB, and at most");
+    std::filesystem::remove(path(file));
+  }
+
+ private:
+  void expect_error(const std::string& file, const std::vector<std::string>& arguments, const char* what) {
+    const auto result = run(arguments);
+    EXPECT_EQ(result.exit_code, 3) << file << result.out << result.err;
+    EXPECT_THAT(result.err, ::testing::AllOf(HasSubstr(file), HasSubstr(what)));
+  }
+};
+
+TEST_F(Endless, FilesAreRefusedWhereverOneIsNamed) {
+  const std::string job = R"({"scenes": [{"scene": "scene.json", "cameras": "cameras.json"}],
+                              "variants": [{"technique": "direct"}]})";
+  write("job.json", job);
+  expect_refused("cameras.json", {"plan", "job.json"});
+  expect_refused("job.json", {"plan", "job.json"});
+  expect_refused("box.obj", render({}));
+  expect_refused("scene.json", render({}));
+  expect_refused("run.json", {"report", "."});
+  expect_refused("plan.json", {"score", "."});
+  expect_refused("plan.json", {"work", "plan.json", "snapshot:a"});
+}
+
+TEST_F(Endless, APictureOfAnotherEngineDoesNotStopThePlanning) {
+  write("job.json", R"({"scenes": [{"scene": "scene.json", "cameras": "cameras.json"}],
+                        "variants": [{"technique": "images", "params": {"pattern": "{view}.png"}}]})");
+  ASSERT_EQ(::mkfifo(path("front.png").c_str(), 0600), 0);
+  const auto result = run({"plan", "job.json"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
 
 class BadOutput : public test::Program {};
 

@@ -4,7 +4,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
+#include "base/files.h"
 #include "job_fixture.h"
 #include "pipeline/plan_file.h"
 
@@ -99,6 +101,47 @@ TEST(Plan, NamesThatAreNoFileNamesAreEscaped) {
     EXPECT_EQ(task.id.find(' '), std::string::npos) << task.id;
     for (const auto& file : task.outputs) EXPECT_EQ(file.find("../"), std::string::npos) << file;
   }
+}
+
+/// All components of the paths that a plan writes.
+std::set<std::string> components(const Plan& plan) {
+  std::set<std::string> names;
+  for (const auto& task : plan.tasks)
+    for (const auto& file : task.outputs)
+      for (const auto& component : std::filesystem::path(file)) names.insert(component.string());
+  return names;
+}
+
+RC_GTEST_PROP(Plan, NoNameMakesAFileNameTooLong, ()) {
+  const auto text = rc::gen::resize(
+      200, rc::gen::container<std::string>(rc::gen::element('~', 'a', '.', ' ', '%', '/', '\xc3')));
+  Job job = concrete_job();
+  job.variants[1].name = *text;
+  job.references[0].name = *text + "r";
+  job.scenes[0].name = *text;
+  for (const auto& name : components(plan_of(job))) RC_ASSERT(name.size() <= 255u);
+}
+
+RC_GTEST_PROP(Plan, DifferentNamesGiveDifferentFiles, ()) {
+  const auto text =
+      rc::gen::resize(200, rc::gen::container<std::string>(rc::gen::element('~', 'a', '%', '7', 'E')));
+  const std::string one = *text, other = *text;
+  const Job job = concrete_job();
+  RC_ASSERT((one == other) == (image_stem(job, 0, 0, one) == image_stem(job, 0, 0, other)));
+  RC_ASSERT(score_stem(job, 0, 0, one, other) != image_stem(job, 0, 0, one));
+}
+
+TEST(Plan, TheLongestFileNameCanBeWritten) {
+  const TemporaryFolder folder;
+  const std::string name(200, '~');
+  const std::string stem = score_stem(concrete_job(), 0, 0, name, name + "~");
+  EXPECT_NO_THROW(write_file_atomic(folder.path() / (stem + ".score.json"), "x"));
+}
+
+TEST(Plan, NamesWithoutTildesKeepTheirFileNames) {
+  EXPECT_EQ(score_stem(concrete_job(), 0, 0, "isr-48[radius=0.5]", "POV-Ray 3"),
+            "views/one/a/isr-48[radius=0.5]~POV-Ray%203");
+  EXPECT_EQ(image_stem(concrete_job(), 0, 0, "a~b"), "views/one/a/a%7Eb");
 }
 
 TEST(Plan, EqualInputGivesAnEqualPlan) {
@@ -244,6 +287,35 @@ TEST(Plan, TheTimeIsPartOfKeysOnlyWhereTheSceneMoves) {
   EXPECT_EQ(keys("000"), keys("001")) << "the camera stands still too";
   facts.scenes[0].moves = true;
   EXPECT_NE(keys("000"), keys("001"));
+}
+
+TEST(Plan, TexturesCountInTheMemoryOfWhatHoldsThem) {
+  const Job job = concrete_job();
+  PlanFacts facts = facts_for(job);
+  const auto memory = [&](const std::string& id) {
+    return task_called(make_plan(job, facts, "/out"), id).resources.memory_mb;
+  };
+  const int drawn = memory("snapshot:one/a/direct"), exported = memory("export:one/povray");
+  facts.scenes[0].texture_bytes = 1'000'000'000;
+  EXPECT_EQ(memory("snapshot:one/a/direct"), drawn + 3000);
+  EXPECT_EQ(memory("export:one/povray"), exported + 2000);
+  facts.scenes[0].texture_bytes = std::size_t(1) << 62;
+  EXPECT_GT(memory("snapshot:one/a/direct"), 0) << "more than the number holds";
+}
+
+TEST(Plan, ManyShadowMapsAreExpectedToTakeLonger) {
+  const Job job =
+      concrete_job(replaced(kJobText, R"({"name": "other", "technique": "ambient"})",
+                            R"({"name": "other", "technique": "direct", "params": {"shadows": "none"}})"));
+  PlanFacts facts = facts_for(job);
+  facts.scenes[0].light_points = 100000;
+  const Plan plan = make_plan(job, facts, "/out");
+  const Task& shadows = task_called(plan, "snapshot:one/a/direct");
+  const Task& none = task_called(plan, "snapshot:one/a/other");
+  EXPECT_GT(shadows.expected_seconds, 1000);
+  EXPECT_LT(none.expected_seconds, 1);
+  EXPECT_GT(shadows.timeout_seconds, shadows.expected_seconds);
+  EXPECT_LT(none.timeout_seconds, shadows.timeout_seconds);
 }
 
 }  // namespace
