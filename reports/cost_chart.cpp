@@ -13,10 +13,12 @@ namespace lightbench {
 namespace {
 
 constexpr std::size_t kFewest = 3;
+constexpr std::size_t kMostNames = 20;  // more would leave the picture
 constexpr double kWidth = 880, kHeight = 420;
 constexpr double kLeft = 56, kRight = 170, kTop = 30, kBottom = 44;
 constexpr double kLabelHeight = 15, kCharacter = 7;
-constexpr double kLowestGain = -100;  // what is worse than that stands at the lower edge
+// What is worse than that stands at the lower edge. No gain is above 100 %, but a file may say so.
+constexpr double kLowestGain = -100, kHighestGain = 100;
 
 /// Where values lie in the picture.
 struct Axes {
@@ -27,7 +29,7 @@ struct Axes {
     return kLeft + (std::log10(seconds) - low_log) / (high_log - low_log) * (kWidth - kLeft - kRight);
   }
   double y(double gain) const {
-    const double share = (std::max(gain, low_gain) - low_gain) / (high_gain - low_gain);
+    const double share = (std::clamp(gain, low_gain, high_gain) - low_gain) / (high_gain - low_gain);
     return kHeight - kBottom - share * (kHeight - kTop - kBottom);
   }
 };
@@ -36,8 +38,8 @@ Axes axes_of(const std::vector<CostPoint>& points) {
   const auto [low, high] = std::minmax_element(points.begin(), points.end(),
                                                [](const auto& a, const auto& b) { return a.gain < b.gain; });
   Axes axes{std::log10(points.front().seconds) - 0.1, std::log10(points.back().seconds) + 0.1, 0, 0};
-  const double most = std::max(high->gain, 0.0);
-  axes.low_gain = std::floor(std::max(std::min(low->gain, 0.0), kLowestGain) / 10) * 10;
+  const double most = std::clamp(high->gain, 0.0, kHighestGain);
+  axes.low_gain = std::floor(std::clamp(low->gain, kLowestGain, 0.0) / 10) * 10;
   axes.high_gain = std::max(std::ceil(most / 10) * 10, axes.low_gain + 10);
   return axes;
 }
@@ -86,8 +88,10 @@ Label settled(Label label, const std::vector<Label>& others) {
   return label;
 }
 
-/// A point, and its name where nothing beats it.
+/// A point, and its name where it is on the front or there is no front.
 std::string marks(const std::vector<CostPoint>& points, const Axes& axes) {
+  const bool has_front = std::ranges::any_of(points, &CostPoint::front);
+  const bool all_named = !has_front && points.size() <= kMostNames;
   std::string svg;
   std::vector<Label> labels;
   for (auto point = points.rbegin(); point != points.rend(); ++point) {
@@ -96,7 +100,7 @@ std::string marks(const std::vector<CostPoint>& points, const Axes& axes) {
         R"(<circle class="{}" cx="{:.1f}" cy="{:.1f}" r="{}"><title>{}: {:.1f} %, {}</title></circle>)",
         point->front ? "front" : "other", x, y, point->front ? 5 : 3.5, escape_markup(point->variant),
         point->gain, duration_text(point->seconds));
-    if (!point->front) continue;
+    if (!point->front && !all_named) continue;
     const std::string name = shortened(clean_utf8(point->variant), 28);
     const double left = x + 9;
     labels.push_back(settled({left, left + kCharacter * double(display_width(name)), y + 4}, labels));
@@ -120,16 +124,24 @@ double mean_cpu_seconds(const RunReport& report, const std::string& variant) {
   return count == 0 ? 0 : sum / count;
 }
 
+bool has_contended_costs(const RunReport& report) {
+  return std::ranges::any_of(report.images, [&](const ReportImage& image) {
+    return !image.is_reference && image.source != report.baseline && image.cpu_seconds > 0 && image.contended;
+  });
+}
+
 std::vector<CostPoint> cost_points(const RunReport& report) {
   std::vector<CostPoint> points;
   for (const ReportImageSource& variant : report.variants) {
     if (variant.name == report.baseline) continue;
     const double seconds = mean_cpu_seconds(report, variant.name);
     const MeanValue gain = mean_metric(report, "gain", variant.name, report.primary_reference);
-    if (seconds > 0 && gain.mean.value) points.push_back({variant.name, seconds, *gain.mean.value});
+    if (seconds > 0 && std::isfinite(seconds) && gain.mean.value && std::isfinite(*gain.mean.value))
+      points.push_back({variant.name, seconds, *gain.mean.value});
   }
   std::stable_sort(points.begin(), points.end(),
                    [](const auto& a, const auto& b) { return a.seconds < b.seconds; });
+  if (has_contended_costs(report)) return points;
   double best = -HUGE_VAL;
   for (CostPoint& point : points) {
     point.front = point.gain > best;

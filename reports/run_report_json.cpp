@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/json_bytes.h"
 #include "base/json_reader.h"
 #include "reports/run_report.h"
 
@@ -61,6 +62,7 @@ void visit(Archive& archive, T& source) requires std::is_same_v<std::remove_cons
   archive.optional("params", source.params);
   archive.required("bounces", source.bounces);
   archive.optional("offline", source.offline);
+  archive.optional("external", source.external);
   archive.optional("limited", source.limited);
   archive.optional("tool", source.tool);
 }
@@ -137,6 +139,7 @@ void visit(Archive& archive, T& report) requires std::is_same_v<std::remove_cons
   archive.required("width", report.width);
   archive.required("height", report.height);
   archive.required("samples", report.samples);
+  archive.optional("partial", report.partial);
   archive.optional("baseline", report.baseline);
   archive.optional("primary_reference", report.primary_reference);
   archive.required("metric_names", report.metric_names);
@@ -247,6 +250,8 @@ class Reader {
       Reader reader(json);
       visit(reader, value);
       reader.object_.finish();
+      if constexpr (std::is_same_v<T, ReportSequence>)
+        if (value.frames.empty()) json.fail("a sequence has at least one frame");
     }
   }
   template <typename T>
@@ -283,11 +288,11 @@ class Reader {
 }  // namespace
 
 std::string run_report_to_json(const RunReport& report) {
-  return Writer::to_json(report).dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(Writer::to_json(report), 1) + "\n";
 }
 
 RunReport run_report_from_json(const std::string& text, const std::string& file) {
-  const JsonValue json = JsonValue::parse(text, file);
+  const JsonValue json = JsonValue::parse(text, file, kOwnJson);
   const JsonValue format = json.object().at("format");
   if (format.integer() != kRunFormatVersion)
     format.fail("this is a run of format " + std::to_string(format.integer()) +

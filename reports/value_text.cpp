@@ -11,6 +11,9 @@
 
 namespace lightbench {
 
+/// Times up to a hundred thousand years are told in hours.
+constexpr double kLongestTime = 3e12;
+
 Metric metric_or_plain(const std::string& name) {
   for (const Metric& metric : metrics())
     if (metric.name == name) return metric;
@@ -32,6 +35,7 @@ std::string metric_heading(const Metric& metric) {
 std::string duration_text(double seconds) {
   if (seconds < 0.9995) return fmt::format("{:.0f} ms", seconds * 1e3);
   if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+  if (!(seconds < kLongestTime)) return fmt::format("{:.3g} s", seconds);
   const long long whole = std::llround(seconds);
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
@@ -58,8 +62,10 @@ RunCounts count_outcomes(const RunReport& report) {
   for (const ReportImage& image : report.images) views.emplace(image.scene, image.view);
   for (const ReportScore& score : report.scores) views.emplace(score.scene, score.view);
   for (const ReportGate& gate : report.gates) {
-    ++(gate.state == GateState::not_met ? counts.gates_not_met : counts.gates_met);
+    counts.gates_met += gate.state == GateState::met || gate.state == GateState::within_noise;
+    counts.gates_not_met += gate.state == GateState::not_met;
     counts.gates_within_noise += gate.state == GateState::within_noise;
+    counts.gates_not_judged += gate.state == GateState::not_judged;
   }
   counts.views = views.size();
   return counts;
@@ -91,17 +97,28 @@ std::string gate_state_text(GateState state) {
   return kGateStateNames[static_cast<std::size_t>(state)];
 }
 
+namespace {
+
+std::string gates_text(const RunCounts& counts) {
+  const std::size_t gates = counts.gates_met + counts.gates_not_met + counts.gates_not_judged;
+  const std::string of_all = " of " + counted(gates, "gate");
+  if (counts.gates_not_met > 0) {
+    const std::string rest =
+        counts.gates_not_judged > 0 ? fmt::format(", {} not judged", counts.gates_not_judged) : "";
+    return std::to_string(counts.gates_not_met) + of_all + " not met" + rest;
+  }
+  if (counts.gates_not_judged > 0) return std::to_string(counts.gates_not_judged) + of_all + " not judged";
+  if (gates == 0) return "";
+  const std::string met = gates == 1 ? "The gate is met" : fmt::format("All {} gates met", gates);
+  return counts.gates_within_noise == 0
+             ? met
+             : fmt::format("{}, {} within the reference's noise", met, counts.gates_within_noise);
+}
+
+}  // namespace
+
 std::string verdict_text(const RunCounts& counts) {
-  const std::size_t gates = counts.gates_met + counts.gates_not_met;
-  std::string text;
-  if (counts.gates_not_met > 0)
-    text = fmt::format("{} of {} not met", counts.gates_not_met, counted(gates, "gate"));
-  else if (gates > 1)
-    text = fmt::format("All {} gates met", gates);
-  else if (gates == 1)
-    text = "The gate is met";
-  if (counts.gates_within_noise > 0 && counts.gates_not_met == 0)
-    text += fmt::format(", {} within the reference's noise", counts.gates_within_noise);
+  std::string text = gates_text(counts);
   const auto append = [&](std::size_t count, const char* what) {
     if (count == 0) return;
     text += (text.empty() ? "" : ", ") + counted(count, "task") + " " + what;

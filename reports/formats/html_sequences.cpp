@@ -75,6 +75,7 @@ std::string frame_picture(const RunReport& report, const ViewRows::View& view, c
 
 std::string film(const RunReport& report, const ViewRows& rows, const ReportSequence& sequence,
                  std::size_t index) {
+  if (sequence.frames.empty()) return "";
   const ViewRows::View* first = rows.find(sequence.scene, sequence.frames.front().view);
   if (!first) return "";
   std::string html = fmt::format(

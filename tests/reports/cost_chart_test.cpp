@@ -27,6 +27,7 @@ class CostChart : public ::testing::Test {
       ReportImage image;
       image.scene = "scene", image.view = view, image.source = variant;
       image.cpu_seconds = seconds + 0.1 * sign;
+      image.contended = false;
       report_.images.push_back(image);
       ReportScore score;
       score.scene = "scene", score.view = view, score.variant = variant, score.reference = "truth";
@@ -59,6 +60,22 @@ TEST_F(CostChart, WhatIsBeatenIsNotOfTheFront) {
   EXPECT_TRUE(points[2].front);
 }
 
+TEST_F(CostChart, ContendedTimesNameNoFront) {
+  add("cheap", 20, 1);
+  add("worse and dearer", 10, 2);
+  add("dear", 80, 3);
+  report_.images.back().contended = true;
+  for (const CostPoint& point : cost_points(report_)) EXPECT_FALSE(point.front) << point.variant;
+  EXPECT_THAT(cost_chart(report_), ::testing::HasSubstr(">worse and dearer</text>"))
+      << "all have their names";
+}
+
+TEST_F(CostChart, TimesOfTheBaselineDoNotContend) {
+  report_.images.front().contended = true;
+  add("cheap", 20, 1);
+  EXPECT_TRUE(cost_points(report_).at(0).front);
+}
+
 TEST_F(CostChart, VariantsWithoutTimeOrGainHaveNoPoint) {
   add("untimed", 20, 1);
   for (ReportImage& image : report_.images)
@@ -87,6 +104,13 @@ TEST_F(CostChart, NamesAreText) {
   add("b", 30, 2);
   add("c", 40, 3);
   EXPECT_THAT(cost_chart(report_), ::testing::Not(::testing::HasSubstr("<script>")));
+}
+
+TEST_F(CostChart, NumbersThatNoRunHasMakeNoEndlessChart) {
+  add("huge", 1e300, 1e300);
+  add("tiny", -1e300, 0.2);
+  add("plain", 50, 1);
+  EXPECT_LT(cost_chart(report_).size(), 1'000'000u);
 }
 
 }  // namespace

@@ -1,31 +1,9 @@
 #include "reports/escape.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 namespace lightbench {
 namespace {
-
-TEST(CleanUtf8, KeepsWellFormedText) {
-  EXPECT_EQ(clean_utf8("aé漢😀\t\n"), "aé漢😀\t\n");
-}
-
-TEST(CleanUtf8, ReplacesBrokenSequences) {
-  EXPECT_EQ(clean_utf8("a\xffz"), "a\uFFFDz");
-  EXPECT_EQ(clean_utf8("\xc3"), "\uFFFD");
-  EXPECT_EQ(clean_utf8("\xc0\xaf"), "\uFFFD\uFFFD");            // overlong '/'
-  EXPECT_EQ(clean_utf8("\xed\xa0\x80"), "\uFFFD\uFFFD\uFFFD");  // a surrogate
-}
-
-TEST(CleanUtf8, ReplacesControlCharacters) {
-  EXPECT_EQ(clean_utf8(std::string("a\0b\x1b[31m", 8)), "a\uFFFDb\uFFFD[31m");
-  EXPECT_EQ(clean_utf8("\xc2\x9b"), "\uFFFD");
-  EXPECT_EQ(clean_utf8("\xef\xbf\xbe"), "\uFFFD");
-}
-
-TEST(CleanUtf8, IsStable) {
-  rc::check([](const std::string& bytes) { RC_ASSERT(clean_utf8(clean_utf8(bytes)) == clean_utf8(bytes)); });
-}
 
 TEST(EscapeMarkup, LeavesNoMarkup) {
   EXPECT_EQ(escape_markup("<a href='x' id=\"y\">&</a>"),
@@ -49,13 +27,14 @@ TEST(EscapeMarkdown, IsOneLineWithoutMarkup) {
   EXPECT_EQ(escape_markdown("a|b\n*c* <d>"), "a\\|b \\*c\\* &lt;d&gt;");
 }
 
-TEST(Shortened, CutsBetweenCodePoints) {
-  EXPECT_EQ(shortened("éééé", 4), "éééé");
-  EXPECT_EQ(shortened("ééééé", 4), "ééé…");
-}
-
-TEST(DisplayWidth, CountsCodePoints) {
-  EXPECT_EQ(display_width("aé…"), 3u);
+// As cmark-gfm with its extension `autolink` shows: these make no link, and what the cell shows is the text.
+TEST(EscapeMarkdown, AddressesDoNotBecomeLinks) {
+  EXPECT_EQ(escape_markdown("www.example.com"), "www\\.example.com");
+  EXPECT_EQ(escape_markdown("(WWW.example.com"), "\\(WWW\\.example.com");
+  EXPECT_EQ(escape_markdown("https://example.com"), "https\\://example.com");
+  EXPECT_EQ(escape_markdown("a@b.com"), "a@<!-- -->b.com");
+  EXPECT_EQ(escape_markdown("mailto:a@b.com"), "mailto\\:a@<!-- -->b.com");
+  EXPECT_EQ(escape_markdown("ww.x wwe.x 0.5"), "ww.x wwe.x 0.5");
 }
 
 }  // namespace

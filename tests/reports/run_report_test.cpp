@@ -164,5 +164,12 @@ TEST(MeanMetric, IsUndefinedWithoutAnyValue) {
   EXPECT_FALSE(mean_metric(sample_run(), "gain", "nobody", "povray").mean.value.has_value());
 }
 
+TEST(RunReportJson, ASequenceHasAFrame) {
+  nlohmann::json run = sample_json();
+  run["sequences"] = {{{"scene", "s"}, {"name", "walk"}, {"frames", nlohmann::json::array()}}};
+  EXPECT_NE(schema_errors(run), "");
+  EXPECT_EQ(error_of(run), "run.json: $.sequences[0]: a sequence has at least one frame");
+}
+
 }  // namespace
 }  // namespace lightbench

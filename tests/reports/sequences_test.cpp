@@ -110,5 +110,11 @@ TEST(SequenceReports, ARunWithoutThemShowsNothingOfThem) {
   EXPECT_THAT(written("json", run), Not(HasSubstr("sequences")));
 }
 
+TEST(Sequences, OneWithoutFramesHasNoFilm) {
+  RunReport run = three_frames();
+  run.sequences[0].frames.clear();
+  EXPECT_THAT(written("html", run), Not(HasSubstr("class=\"film\"")));
+}
+
 }  // namespace
 }  // namespace lightbench

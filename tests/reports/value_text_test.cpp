@@ -1,6 +1,7 @@
 #include "reports/value_text.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +56,9 @@ TEST(VerdictText, SaysWhatTheRunCameTo) {
   EXPECT_EQ(verdict_text({.gates_met = 5}), "All 5 gates met");
   EXPECT_EQ(verdict_text({.failed = 2, .gates_met = 4, .gates_not_met = 1}),
             "1 of 5 gates not met, 2 tasks failed");
+  EXPECT_EQ(verdict_text({.gates_met = 2, .gates_not_judged = 1}), "1 of 3 gates not judged");
+  EXPECT_EQ(verdict_text({.gates_met = 2, .gates_not_met = 1, .gates_not_judged = 1}),
+            "1 of 4 gates not met, 1 not judged");
   EXPECT_EQ(verdict_text({.skipped = 1}), "1 task skipped");
   EXPECT_EQ(verdict_text({}), "Finished");
 }
@@ -73,6 +77,11 @@ TEST(WorstFirst, FollowsTheMetricsDirectionWithUnknownOnesFirst) {
   EXPECT_EQ(by_gain, (std::vector<const ReportScore*>{&run.scores[2], &run.scores[1], &run.scores[0]}));
   const auto by_error = worst_first(run, "mean_error", "v", "r");
   EXPECT_EQ(by_error, (std::vector<const ReportScore*>{&run.scores[2], &run.scores[0], &run.scores[1]}));
+}
+
+TEST(DurationText, TellsTimesThatNoneHas) {
+  EXPECT_EQ(duration_text(1e300), "1e+300 s");
+  EXPECT_EQ(duration_text(std::numeric_limits<double>::infinity()), "inf s");
 }
 
 }  // namespace
