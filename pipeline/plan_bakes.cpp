@@ -78,8 +78,8 @@ std::size_t BakePlanner::add_bake(int scene, int variant, std::size_t object, co
   const double paths = trace.bounces > 0 ? trace.bounce_samples : 0;
   task.expected_seconds = texels * (kTexelSeconds + paths * trace.bounces * kPathOfTexelSeconds);
   task.timeout_seconds = std::max(task.timeout_seconds, 20 * task.expected_seconds);
-  task.resources.memory_mb =
-      memory_mb(200 + texels * directions * kBytesOfBake / 1e6 + double(facts.triangles) / 1000);
+  task.resources.memory_mb = memory_mb(200 + texels * directions * kBytesOfBake / 1e6 +
+                                       double(facts.triangles) / 1000 + double(facts.texture_bytes) / 1e6);
   return draft_.add(std::move(task));
 }
 

@@ -45,10 +45,12 @@ glm::dmat4 placement(const MotionKey& key) {
 Camera camera_at(const std::vector<CameraKey>& keys, double time) {
   const auto [from, to, part] = span_at(keys, time);
   const auto t = float(part);
+  // Rounding must not lead out of the range that each keyframe's fov lies in.
+  const auto [narrow, wide] = std::minmax(from.camera.fov, to.camera.fov);
   return {.position = glm::mix(from.camera.position, to.camera.position, t),
           .look_at = glm::mix(from.camera.look_at, to.camera.look_at, t),
           .up = glm::mix(from.camera.up, to.camera.up, t),
-          .fov = glm::mix(from.camera.fov, to.camera.fov, t)};
+          .fov = std::clamp(glm::mix(from.camera.fov, to.camera.fov, t), narrow, wide)};
 }
 
 std::string camera_problem(const Camera& camera) {

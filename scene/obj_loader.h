@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "scene/mtl_loader.h"
+#include "scene/obj_parser.h"
 #include "scene/scene.h"
 #include "scene/texture_loader.h"
 
@@ -16,10 +17,8 @@ struct ObjModel {
   std::vector<Mesh> meshes;                   ///< the parts' materials index `materials`
   std::vector<Material> materials;            ///< those that faces use
   std::vector<std::string> unused_materials;  ///< names of the others in the MTL files
-  std::vector<std::filesystem::path> files;   ///< the OBJ and its MTL files
+  std::vector<SourceFile> files;              ///< the OBJ and its MTL files
 };
-
-inline constexpr std::size_t kMostMeshes = 2000;
 
 /// Reads an OBJ file, its MTL files and, into `textures`, their textures. `crease_angle` is in radians. All
 /// that is wrong is listed in `problems`; then the model is what could be read.

@@ -43,6 +43,7 @@ Image traced(const Scene& scene, const View& view, int bounces) {
   PathTracerOptions options;
   options.bounces = bounces;
   options.samples = 64;
+  options.seed = default_seed(PathTracedUse::variant);
   return trace_paths(scene, view, kWidth, kHeight, 1, options).image;
 }
 

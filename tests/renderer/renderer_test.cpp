@@ -213,6 +213,17 @@ TEST(GlRenderer, ImpossibleSizesAreErrors) {
   }
 }
 
+// The keys of pictures have the shaders of the technique's row.
+TEST(GlRenderer, AShaderOutsideTheTechniquesRowIsABug) {
+  Technique technique = find_technique("direct", "test");
+  std::erase(technique.shaders, "shaders/fullscreen.vert.glsl");
+  const Scene scene = small_scene();
+  const View view = top_view(3);
+  Renderer renderer(GlBackend::osmesa);
+  const ParamValues params = resolve_params(technique.params, technique.presets, "", {}, "test");
+  EXPECT_THROW(renderer.render(technique, params, {scene, view, 16, 12, 1, {}}), std::logic_error);
+}
+
 TEST(GlRenderer, OddSizesWork) {
   test::RenderSetup setup;
   setup.width = 33;

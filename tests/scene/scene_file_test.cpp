@@ -58,7 +58,7 @@ TEST(SceneFile, ListsEverythingThatWasRead) {
   files.write("m.mtl", "newmtl a\nmap_Kd t.png\n");
   files.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n");
   const auto loaded = load_scene_collecting(files.write("s.json", R"({"entities": [{"obj": "m.obj"}]})"));
-  EXPECT_EQ(loaded.scene.files,
+  EXPECT_EQ(file_paths(loaded.scene),
             (std::vector<std::filesystem::path>{files.path("s.json"), files.path("m.obj"),
                                                 files.path("m.mtl"), files.path("t.png")}));
 }
