@@ -28,7 +28,8 @@ TEST_F(GlForeignBytes, InTheNamesOfTexturesJobsAndFolders) {
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   EXPECT_THAT(result.out, HasSubstr("out\uFFFD/index.html"));
   EXPECT_TRUE(std::filesystem::exists(path("out\xE9/views/box/front/lit~truth.score.json")));
-  EXPECT_THAT(read_file(path("out\xE9/run.json")), HasSubstr("jobs\uFFFD/job.json"));
+  EXPECT_THAT(read_file(path("out\xE9/run.json")), HasSubstr("jobs\U0010FFE9/job.json"));
+  EXPECT_THAT(read_file(path("out\xE9/index.html")), HasSubstr("jobs\uFFFD/job.json"));
   EXPECT_THAT(run_foreign().out, HasSubstr("0 tasks to do, 13 there already"));
   EXPECT_EQ(run({"score", "out\xE9"}).exit_code, 0);
   EXPECT_EQ(run({"report", "out\xE9"}).exit_code, 0);
