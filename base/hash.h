@@ -29,8 +29,8 @@ class Hasher {
 };
 
 std::string hash_bytes(std::string_view bytes);
-/// Returns the hash of what the file holds, which is read block by block. Throws Error where `read_file` would;
-/// the default has no limit, since baked objects may have any size.
+/// Returns the hash of what the file holds, which is read block by block. Throws Error where `read_file`
+/// would; the default has no limit, since baked objects may have any size.
 std::string hash_file(const std::filesystem::path& file,
                       std::uint64_t largest = std::numeric_limits<std::uint64_t>::max());
 

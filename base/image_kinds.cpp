@@ -110,7 +110,7 @@ bool is_named_tga(const fs::path& file) {
   return ::strcasecmp(file.extension().c_str(), ".tga") == 0;
 }
 
-/// Of the 18 bytes of a TGA header, those of few possible values: colour map, type, size and depth.
+/// A TGA header has 18 bytes; these of them have few possible values: colour map, type, size and depth.
 bool is_tga_header(std::string_view bytes) {
   if (bytes.size() < 18) return false;
   const auto byte = [&](std::size_t i) { return int(static_cast<unsigned char>(bytes[i])); };

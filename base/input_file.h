@@ -26,7 +26,8 @@ class InputFile {
   ~InputFile();
 
   std::uint64_t size() const { return size_; }  ///< when it was opened
-  /// Reads until the bytes are full or the file ends, and returns how many it read. Throws Error where reading fails.
+  /// Reads until the bytes are full or the file ends, and returns how many it read. Throws Error where
+  /// reading fails.
   std::size_t read(std::span<char> bytes);
 
  private:

@@ -183,7 +183,7 @@ class ObjLoader {
     report_missing_uvs();
   }
 
-  // Of textured materials that are used, but in no mesh with texture coordinates.
+  // Warns of materials with a texture that no mesh with texture coordinates uses.
   void report_missing_uvs() {
     std::vector<bool> used(model_.materials.size()), used_with_uvs(model_.materials.size());
     for (const Mesh& mesh : model_.meshes)

@@ -21,7 +21,7 @@ bool uses_alpha(const Image8& rgba) {
 
 }  // namespace
 
-// They may be of several files, so that their number has no place but the scene.
+// The textures of several files are counted together, so their number has no place but the scene.
 TextureLoader::TextureLoader(ProblemList& problems)
     : problems_(problems),
       unreadable_(problems, Problem::Severity::error, "textures that cannot be read", "") {}
