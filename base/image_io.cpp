@@ -12,6 +12,7 @@
 
 #include "base/color.h"
 #include "base/error.h"
+#include "base/exr_header.h"
 #include "base/files.h"
 #include "base/image_kinds.h"
 #include "base/input_file.h"
@@ -68,6 +69,8 @@ void check_flat(const OIIO::ImageSpec& spec, const fs::path& file) {
 std::unique_ptr<OIIO::ImageInput> open_input(const fs::path& file) {
   configure_oiio();
   const ImageKind& kind = image_kind(file);
+  if (std::string_view(kind.reader) == "openexr" && !exr_attributes_fit(file))
+    throw Error("damaged OpenEXR image: its header does not end within the file", file.string());
   auto input = OIIO::ImageInput::create(kind.reader);
   if (!input) throw Error(fmt::format("OpenImageIO cannot read {} here", kind.name), file.string());
   OIIO::ImageSpec config, spec;

@@ -37,7 +37,7 @@ std::string line_of(const LedgerEntry& entry) {
 }
 
 LedgerEntry entry_of(const Json& json, const std::string& where) {
-  if (json.at("v").get<int>() != kLedgerVersion)
+  if (json.at("v") != kLedgerVersion)
     throw Error("was written by another version of lightbench; choose another folder or remove it", where);
   LedgerEntry entry;
   entry.id = json.at("id").get<std::string>();

@@ -66,7 +66,7 @@ SceneFacts facts_of(const Json& json) {
         {object.at(0).get<int>(), object.at(1).get<std::string>(), object.at(2).get<std::string>()});
   for (const Json& sizes : json.at("sizes")) {
     auto& row = facts.sizes.emplace_back();
-    for (const Json& size : sizes) row.push_back({size.at(0).get<double>(), size.at(1).get<double>()});
+    for (const Json& size : sizes) row.push_back({size.at(0).get<double>(), size.at(1).get<int>()});
   }
   for (const Json& views : json.at("exports")) {
     auto& row = facts.exports.emplace_back();

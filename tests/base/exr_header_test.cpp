@@ -1,0 +1,51 @@
+#include "base/exr_header.h"
+
+#include <gtest/gtest.h>
+
+#include "base/files.h"
+#include "base/image_io.h"
+
+namespace lightbench {
+namespace {
+
+using namespace std::string_literals;
+
+const std::string kStart = "\x76\x2f\x31\x01\x02\0\0\0"s;
+
+class ExrHeader : public ::testing::Test {
+ protected:
+  bool fits(const std::string& bytes) const {
+    const auto file = folder_.path() / "a.exr";
+    write_file_atomic(file, bytes);
+    return exr_attributes_fit(file);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(ExrHeader, OfAPictureFits) {
+  write_exr(folder_.path() / "b.exr", Image(4, 3, 4, 0.5f), PixelType::half, {{"k", "v"}});
+  EXPECT_TRUE(exr_attributes_fit(folder_.path() / "b.exr"));
+}
+
+TEST_F(ExrHeader, WithAnAttributeBeyondTheFileDoesNotFit) {
+  EXPECT_TRUE(fits(kStart + "name\0string\0\x03\0\0\0abc\0"s));
+  EXPECT_FALSE(fits(kStart + "name\0string\0\x05\0\0\0abc\0"s));
+  EXPECT_FALSE(fits(kStart + "name\0string\0\x03\0\0\x70" + "abc\0"s)) << "1.8 GB";
+  EXPECT_FALSE(fits(kStart + "name\0string\0\xff\xff\xff\xff" + "abc\0"s)) << "a negative size";
+}
+
+TEST_F(ExrHeader, ThatIsCutDoesNotFit) {
+  const std::string whole = kStart + "name\0string\0\x03\0\0\0abc\0"s;
+  for (std::size_t length = 0; length < whole.size(); ++length)
+    EXPECT_FALSE(fits(whole.substr(0, length))) << length;
+}
+
+TEST_F(ExrHeader, OfSeveralPartsEndsWithAnEmptyOne) {
+  const std::string start = "\x76\x2f\x31\x01\x02\x10\0\0"s, part = "name\0string\0\x03\0\0\0abc\0"s;
+  EXPECT_TRUE(fits(start + part + part + "\0"s));
+  EXPECT_FALSE(fits(start + part + part));
+}
+
+}  // namespace
+}  // namespace lightbench
