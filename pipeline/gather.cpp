@@ -60,6 +60,8 @@ class Gatherer {
     add_scenes();
     for (const auto& scene : job.scenes) add_sequences(scene);
     for (std::size_t i = 0; i < plan_.tasks.size(); ++i) add_task(i);
+    for (const auto& [warning, views] : score_warnings_)
+      report_.warnings.push_back(fmt::format("on {}: {}", counted(views, "view"), warning));
     return std::move(report_);
   }
 
@@ -262,6 +264,7 @@ class Gatherer {
       const TaskResult& result = outcomes_[i].entry->result;
       score.metrics = result.metrics;
       score.warnings = result.warnings;
+      for (const auto& warning : result.warnings) ++score_warnings_[warning];
       const std::string stem = score_stem(job, task.scene, task.view, score.variant, score.reference);
       for (const auto& output : task.outputs) {
         if (output.ends_with(".heat.png"))
@@ -282,6 +285,7 @@ class Gatherer {
   const PlanFacts& facts_;
   const std::vector<TaskOutcome>& outcomes_;
   const std::vector<std::set<int>> drawn_by_;
+  std::map<std::string, std::size_t> score_warnings_;  ///< what score tasks warned of -> on how many views
   RunReport report_;
 };
 

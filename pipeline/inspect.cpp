@@ -85,12 +85,13 @@ SceneFacts inspect_scene(const Job& job, const JobScene& job_scene) {
 
 namespace {
 
-/// The picture that an `images` variant shows of a view; one that is not there fails when it is read.
+/// The picture that an `images` variant shows of a view; one that is not there, or too large to be one, fails
+/// when it is read.
 KeyParts picture_parts(const JobVariant& variant, const std::string& scene, const std::string& view) {
   if (variant.technique != images_technique().name) return {};
   const std::string file = picture_path(variant_params(variant).text("pattern"), scene, view);
   try {
-    return {{"picture", hash_file(file)}};
+    return {{"picture", hash_file(file, kLargestPictureFile)}};
   } catch (const Error&) {
     return {{"picture", "missing"}};
   }

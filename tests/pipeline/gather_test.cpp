@@ -152,7 +152,10 @@ TEST_F(Gather, AnotherNumberOfBouncesIsFlagged) {
 
 TEST_F(Gather, AScoreTellsWhatItsTaskWarnedOf) {
   outcome("score:one/a/other/truth").entry->result.warnings = {"the pictures are identical"};
-  EXPECT_THAT(report().scores[1].warnings, Contains("the pictures are identical"));
+  outcome("score:one/b/other/truth").entry->result.warnings = {"the pictures are identical"};
+  const RunReport made = report();
+  EXPECT_THAT(made.scores[1].warnings, Contains("the pictures are identical"));
+  EXPECT_THAT(made.warnings, Contains("on 2 views: the pictures are identical")) << "for all reports";
 }
 
 TEST_F(Gather, PicturesOfAnotherEngineHaveNoCostAndNoBounces) {
