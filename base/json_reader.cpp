@@ -30,10 +30,13 @@ std::size_t line_of(const std::string& text, std::size_t byte) {
                  std::count(text.begin(), text.begin() + std::ptrdiff_t(std::min(byte, text.size())), '\n'));
 }
 
-/// "[json.exception.parse_error.101] parse error at line 1, column 2: ..." without its prefix.
+/// "[json.exception.parse_error.101] parse error at line 1, column 2: ..." without what the library puts
+/// before the message.
 std::string plain_parse_message(const std::string& message) {
-  const std::size_t colon = message.find(": ");
-  return colon == std::string::npos ? message : message.substr(colon + 2);
+  const std::size_t bracket = message.find("] ");
+  const std::string plain = bracket == std::string::npos ? message : message.substr(bracket + 2);
+  const std::size_t colon = plain.find(": ");
+  return !plain.starts_with("parse error") || colon == std::string::npos ? plain : plain.substr(colon + 2);
 }
 
 /// Sees each value while it is parsed, and stops where limits are passed; and each object, since the parsed

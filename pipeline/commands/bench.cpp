@@ -64,7 +64,11 @@ ExitCode run_bench(const BenchParams& params) {
   const Job concrete = make_concrete(job, drawn.path(), draw_job_views);
   warn_if_busy();
   const auto rows = bench_job(concrete, out, params.gl, params.rounds, params.only);
-  if (rows.empty()) throw Error("no scene/view/variant is there to time", params.only);
+  if (rows.empty())
+    throw Error(
+        "no scene/view/variant is there to time; path-traced variants and pictures of other engines have no "
+        "times",
+        params.only);
   say(bench_table(rows) + "\n" + bench_means(rows));
   const std::string renderer = Renderer(parse_gl(params.gl, "--gl")).description();
   write_file_atomic(file, bench_json(concrete, rows, params.rounds, renderer));
@@ -92,7 +96,8 @@ void add_bench_command(CLI::App& app, Action& action) {
   command->footer(
       R"(Times that an ordinary run meets are marked contended, since other tasks run beside. Here variants take
 turns, alone on the machine, after two frames each to warm up; nothing comes from a cache but baked objects, which
-are made first where they are missing. Path-traced variants are left out.
+are made first where they are missing. Path-traced variants and
+pictures of other engines are left out.
 
 Examples:
   lightbench bench jobs/cornell.json --rounds 20

@@ -89,5 +89,14 @@ TEST(JsonReader, UnknownKeysAreListedInOrder) {
   EXPECT_EQ(object.unknown(), (std::vector<std::string>{"z", "a"}));
 }
 
+TEST(JsonReader, ANumberThatIsTooLargeIsToldInPlainWords) {
+  try {
+    JsonValue::parse(R"({"max": 1e999})", "job.json");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(), "job.json: number overflow parsing '1e999'");
+  }
+}
+
 }  // namespace
 }  // namespace lightbench
