@@ -50,6 +50,8 @@ class Watcher {
  public:
   virtual ~Watcher() = default;
   virtual void begin(const Schedule& schedule) = 0;
+  /// So many workers live now.
+  virtual void workers(std::size_t count) = 0;
   virtual void started(const Task& task) = 0;
   virtual void ended(const Task& task, const TaskOutcome& outcome) = 0;
   virtual void tick() = 0;

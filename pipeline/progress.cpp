@@ -33,10 +33,17 @@ Progress::Style Progress::style_of(std::FILE* stream) {
 void Progress::begin(const Schedule& schedule) {
   schedule_ = &schedule;
   watch_ = Stopwatch();
+  time_left_ = TimeLeft(schedule);
   cached_ = schedule.count(TaskState::cached);
   const std::size_t waiting = schedule.count(TaskState::waiting);
   line(fmt::format("{} to do, {} there already; expected {} on {}", counted(waiting, "task"), cached_,
                    duration_text(remaining_seconds()), counted(std::size_t(places_), "worker")));
+}
+
+void Progress::workers(std::size_t count) {
+  worker_seconds_ = worker_seconds();
+  since_ = Stopwatch();
+  workers_ = count;
 }
 
 void Progress::started(const Task& task) {
@@ -48,11 +55,8 @@ void Progress::started(const Task& task) {
 void Progress::ended(const Task& task, const TaskOutcome& outcome) {
   const bool failed = outcome.state == TaskState::failed;
   running_.erase(&task);
-  if (outcome.entry) {
-    Pace& pace = paces_[task.kind];
-    pace.expected += outcome.expected_seconds;
-    pace.measured += outcome.entry->result.seconds;
-  }
+  time_left_.task_ended(task.kind, outcome.expected_seconds,
+                        outcome.entry ? outcome.entry->result.seconds : 0.0);
   if (failed && outcome.reason == last_failure_) ++repeated_;
   if (failed && outcome.reason != last_failure_) {
     tell_repeated();
@@ -89,21 +93,18 @@ void Progress::finish() {
   schedule_ = nullptr;
 }
 
-/// What tasks of that kind took so far, as a multiple of what was expected of them.
-double Progress::pace(TaskKind kind) const {
-  const auto found = paces_.find(kind);
-  if (found == paces_.end() || found->second.expected <= 0) return 1.0;
-  return std::clamp(found->second.measured / found->second.expected, 0.1, 10.0);
+double Progress::worker_seconds() const {
+  return worker_seconds_ + double(workers_) * since_.seconds();
 }
 
 double Progress::remaining_seconds() const {
-  double total = 0;
-  for (const TaskKind kind : {TaskKind::bake, TaskKind::compress, TaskKind::snapshot, TaskKind::export_,
-                              TaskKind::reference, TaskKind::score})
-    total += pace(kind) * schedule_->remaining_seconds(kind);
-  for (const auto& [task, watch] : running_)
-    total -= std::min(watch.seconds(), pace(task->kind) * schedule_->seconds(*task));
-  return std::max(total, 0.0) / places_;
+  Spent spent{.workers = worker_seconds()};
+  for (const auto& [task, watch] : running_) {
+    const double expected = time_left_.pace(task->kind) * schedule_->seconds(*task);
+    spent.unended += watch.seconds();
+    spent.expected += std::min(watch.seconds(), expected);
+  }
+  return time_left_.seconds(*schedule_, places_, spent);
 }
 
 /// " [7/12, 1 failed, 8 s, about 20 s to go]"

@@ -6,6 +6,7 @@
 
 #include "base/stopwatch.h"
 #include "pipeline/executor.h"
+#include "pipeline/time_left.h"
 
 namespace lightbench {
 
@@ -19,19 +20,15 @@ class Progress : public Watcher {
   static Style style_of(std::FILE* stream);
 
   void begin(const Schedule& schedule) override;
+  void workers(std::size_t count) override;
   void started(const Task& task) override;
   void ended(const Task& task, const TaskOutcome& outcome) override;
   void tick() override;
   void finish() override;
 
  private:
-  struct Pace {
-    double expected = 0;
-    double measured = 0;
-  };
-
   std::string status() const;
-  double pace(TaskKind kind) const;
+  double worker_seconds() const;
   double remaining_seconds() const;
   void line(const std::string& text);
   void tell_repeated();
@@ -42,7 +39,10 @@ class Progress : public Watcher {
   const Schedule* schedule_ = nullptr;
   Stopwatch watch_;
   std::size_t cached_ = 0;
-  std::map<TaskKind, Pace> paces_;  ///< of the tasks that this run ended
+  TimeLeft time_left_;
+  std::size_t workers_ = 0;
+  Stopwatch since_;            ///< the number of workers changed
+  double worker_seconds_ = 0;  ///< that all workers lived until then
   std::map<const Task*, Stopwatch> running_;
   std::string latest_;
   std::string last_failure_;

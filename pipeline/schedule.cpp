@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <set>
+#include <string_view>
 
 namespace lightbench {
 namespace {
@@ -111,6 +113,19 @@ std::vector<std::size_t> Schedule::next_batch(int places, int free_memory_mb, bo
 
 std::size_t Schedule::count(TaskState state) const {
   return std::size_t(std::count(states_.begin(), states_.end(), state));
+}
+
+std::size_t Schedule::waiting_groups() const {
+  std::set<std::string_view> groups;
+  std::size_t alone = 0;
+  for (std::size_t i = 0; i < tasks_.size(); ++i) {
+    if (states_[i] != TaskState::waiting) continue;
+    if (tasks_[i].group.empty())
+      ++alone;
+    else
+      groups.insert(tasks_[i].group);
+  }
+  return alone + groups.size();
 }
 
 double Schedule::remaining_seconds(TaskKind kind) const {

@@ -40,6 +40,8 @@ class Schedule {
   TaskState state(std::size_t task) const { return states_[task]; }
   const std::string& reason(std::size_t task) const { return reasons_[task]; }
   std::size_t count(TaskState state) const;
+  /// The groups that waiting tasks belong to; one without a group counts as its own. Each needs a worker.
+  std::size_t waiting_groups() const;
   /// Of the tasks that are waiting or running.
   double remaining_seconds(TaskKind kind) const;
   double seconds(std::size_t task) const { return seconds_[task]; }
