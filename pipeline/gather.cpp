@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include <fmt/format.h>
-
-#include "base/text.h"
 #include "pipeline/concrete.h"
 #include "pipeline/tables.h"
 #include "pipeline/version.h"
@@ -19,11 +16,6 @@ std::map<std::string, std::string> params_as_text(const ParamValues& params) {
   std::map<std::string, std::string> result;
   for (const auto& [name, value] : params.all()) result[name] = to_text(value);
   return result;
-}
-
-/// "1 bounce", "2 bounces".
-std::string bounces_text(int bounces) {
-  return fmt::format("{} bounce{}", bounces, bounces == 1 ? "" : "s");
 }
 
 /// Of each task, the variants whose snapshots need the object's files that it makes.
@@ -60,8 +52,6 @@ class Gatherer {
     add_scenes();
     for (const auto& scene : job.scenes) add_sequences(scene);
     for (std::size_t i = 0; i < plan_.tasks.size(); ++i) add_task(i);
-    for (const auto& [warning, views] : score_warnings_)
-      report_.warnings.push_back(fmt::format("on {}: {}", counted(views, "view"), warning));
     return std::move(report_);
   }
 
@@ -88,22 +78,6 @@ class Gatherer {
                                     .bounces = find_reference_kind(reference.kind, "").bounces(params),
                                     .tool = tool == facts_.tools.end() ? "" : tool->second});
     }
-    for (const auto& reference : report_.references) {
-      std::vector<std::string> others;
-      for (const auto& variant : report_.variants)
-        if (!bounces_warning(variant, reference).empty())
-          others.push_back(fmt::format("{} {}", variant.name, variant.bounces));
-      if (!others.empty())
-        report_.warnings.push_back(fmt::format("{} has {} of indirect light; other numbers: {}",
-                                               reference.name, bounces_text(reference.bounces),
-                                               join(others, ", ")));
-    }
-  }
-
-  static std::string bounces_warning(const ReportImageSource& variant, const ReportImageSource& reference) {
-    if (variant.external || variant.bounces == reference.bounces) return "";
-    return fmt::format("{} has {} of indirect light, {} has {}", variant.name, bounces_text(variant.bounces),
-                       reference.name, bounces_text(reference.bounces));
   }
 
   void add_scenes() {
@@ -264,7 +238,6 @@ class Gatherer {
       const TaskResult& result = outcomes_[i].entry->result;
       score.metrics = result.metrics;
       score.warnings = result.warnings;
-      for (const auto& warning : result.warnings) ++score_warnings_[warning];
       const std::string stem = score_stem(job, task.scene, task.view, score.variant, score.reference);
       for (const auto& output : task.outputs) {
         if (output.ends_with(".heat.png"))
@@ -275,9 +248,6 @@ class Gatherer {
           score.baseline_difference_png = output;
       }
     }
-    const auto warning = bounces_warning(report_.variants[std::size_t(task.variant)],
-                                         report_.references[std::size_t(task.reference)]);
-    if (!warning.empty()) score.warnings.push_back(warning);
     report_.scores.push_back(std::move(score));
   }
 
@@ -285,7 +255,6 @@ class Gatherer {
   const PlanFacts& facts_;
   const std::vector<TaskOutcome>& outcomes_;
   const std::vector<std::set<int>> drawn_by_;
-  std::map<std::string, std::size_t> score_warnings_;  ///< what score tasks warned of -> on how many views
   RunReport report_;
 };
 
@@ -299,6 +268,15 @@ RunReport gather_report(const Plan& plan, const PlanFacts& facts, const std::vec
   return report;
 }
 
+namespace {
+
+ExitCode exit_code_of_gates(const RunReport& report, const RunCounts& counts) {
+  if (counts.gates_not_met > 0) return ExitCode::gate_failed;
+  return counts.gates_not_judged > 0 && !report.partial ? ExitCode::not_judged : ExitCode::ok;
+}
+
+}  // namespace
+
 ExitCode exit_code_of(const RunReport& report, const std::vector<TaskOutcome>& outcomes,
                       const std::vector<bool>& selected) {
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
@@ -306,14 +284,12 @@ ExitCode exit_code_of(const RunReport& report, const std::vector<TaskOutcome>& o
     if (wanted && (outcomes[i].state == TaskState::failed || outcomes[i].state == TaskState::skipped))
       return ExitCode::task_failed;
   }
-  return exit_code_of(report);
+  return exit_code_of_gates(report, count_outcomes(report));
 }
 
 ExitCode exit_code_of(const RunReport& report) {
   const RunCounts counts = count_outcomes(report);
-  if (counts.failed > 0) return ExitCode::task_failed;
-  if (counts.gates_not_met > 0) return ExitCode::gate_failed;
-  return counts.gates_not_judged > 0 && !report.partial ? ExitCode::not_judged : ExitCode::ok;
+  return counts.failed > 0 ? ExitCode::task_failed : exit_code_of_gates(report, counts);
 }
 
 }  // namespace lightbench

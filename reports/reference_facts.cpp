@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "reports/value_text.h"
 
 namespace lightbench {
@@ -79,6 +80,20 @@ std::vector<ReferenceFacts> reference_facts(const RunReport& report) {
   for (const ReportImageSource& reference : report.references)
     facts.push_back(facts_of(report, reference, fullest));
   return facts;
+}
+
+std::vector<std::string> bounces_lines(const RunReport& report) {
+  std::vector<std::string> lines;
+  for (const ReportImageSource& reference : report.references) {
+    std::vector<std::string> others;
+    for (const ReportImageSource& variant : report.variants)
+      if (!variant.external && variant.bounces != reference.bounces)
+        others.push_back(fmt::format("{} {}", variant.name, variant.bounces));
+    if (!others.empty())
+      lines.push_back(fmt::format("{} has {} of indirect light; other numbers: {}", reference.name,
+                                  counted(std::size_t(reference.bounces), "bounce"), join(others, ", ")));
+  }
+  return lines;
 }
 
 std::vector<std::string> light_share_lines(const RunReport& report) {

@@ -32,4 +32,8 @@ const ReportImageSource* fullest_reference(const RunReport& report);
 /// has a share.
 std::vector<std::string> light_share_lines(const RunReport& report);
 
+/// "povray has 2 bounces of indirect light; other numbers: direct 0, isr 1"; one line for each reference that
+/// some variants do not follow. Pictures of other engines do not tell how many they have.
+std::vector<std::string> bounces_lines(const RunReport& report);
+
 }  // namespace lightbench

@@ -8,6 +8,7 @@
 #include "reports/object_tables.h"
 #include "reports/reference_facts.h"
 #include "reports/report_formats.h"
+#include "reports/shared_warnings.h"
 #include "reports/value_text.h"
 
 namespace lightbench {
@@ -37,6 +38,7 @@ std::string reference_lines(const RunReport& report) {
                                      *facts.worst_noise)) +
               "\n";
   for (const std::string& line : light_share_lines(report)) text += plain_line(line) + "\n";
+  for (const std::string& line : bounces_lines(report)) text += plain_line(line) + "\n";
   return text;
 }
 
@@ -81,6 +83,15 @@ std::string gate_lines(const RunReport& report) {
   return text;
 }
 
+std::string warning_lines(const RunReport& report) {
+  std::vector<std::string> lines;
+  for (const SharedWarning& warning : shared_warnings(report)) {
+    const std::string about = about_text(warning);
+    lines.push_back("warning: " + warning.text + (about.empty() ? "" : " (" + about + ")"));
+  }
+  return first_lines(lines);
+}
+
 }  // namespace
 
 std::string terminal_summary(const RunReport& report) {
@@ -95,8 +106,8 @@ std::string terminal_summary(const RunReport& report) {
     for (const ReportImageSource& reference : report.references)
       table.push_back(summary_row(report, variant.name, reference.name, leading));
   return (table.size() > 1 ? aligned(table) : "") + reference_lines(report) +
-         first_lines(object_lines(report)) + gate_lines(report) + failure_lines(report) +
-         plain_line(verdict_text(count_outcomes(report))) + "\n";
+         first_lines(object_lines(report)) + warning_lines(report) + gate_lines(report) +
+         failure_lines(report) + plain_line(verdict_text(count_outcomes(report))) + "\n";
 }
 
 }  // namespace lightbench

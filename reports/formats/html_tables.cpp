@@ -8,6 +8,7 @@
 #include "reports/escape.h"
 #include "reports/formats/html_parts.h"
 #include "reports/reference_facts.h"
+#include "reports/shared_warnings.h"
 #include "reports/value_text.h"
 
 namespace lightbench {
@@ -136,7 +137,10 @@ std::string optional_number(const std::optional<double>& value, double factor, i
 /// How exact each reference is; only where something is known of it.
 std::string reference_table(const RunReport& report) {
   const std::vector<ReferenceFacts> all = reference_facts(report);
-  if (std::ranges::none_of(all, [](const ReferenceFacts& f) { return f.noise || f.light_share; })) return "";
+  std::string notes;
+  for (const std::string& line : bounces_lines(report)) notes += "<p class=\"note\">" + h(line) + "</p>\n";
+  if (std::ranges::none_of(all, [](const ReferenceFacts& f) { return f.noise || f.light_share; }))
+    return notes;
   std::string html =
       "<h3>How exact the references are</h3>\n<div class=\"scroll\"><table class=\"sortless\" "
       "id=\"exactness\"><thead><tr><th scope=\"col\">Reference</th><th scope=\"col\" "
@@ -151,7 +155,7 @@ std::string reference_table(const RunReport& report) {
         h(facts.name), h(facts.kind), facts.bounces, optional_number(facts.noise, 1, 3),
         optional_number(facts.worst_noise, 1, 3), optional_number(facts.light_share, 100, 1),
         facts.views > 0 ? duration_text(facts.seconds) : "–");
-  return html + "</tbody></table></div>\n";
+  return html + "</tbody></table></div>\n" + notes;
 }
 
 std::string list_of(const std::vector<std::string>& items, const char* classes) {
@@ -264,17 +268,8 @@ std::string html_problems(const RunReport& report) {
     list.push_back(fmt::format("<b>{}</b> {}", h(who), h(what)));
   };
   for (const FailedTask& task : failed_tasks(report)) add(failed, task.where + " " + task.what, task.error);
-  for (const std::string& warning : report.warnings) add(warnings, "", warning);
-  for (const ReportScene& scene : report.scenes)
-    for (const std::string& warning : scene.warnings) add(warnings, scene.name, warning);
-  for (const ReportImage& image : report.images)
-    for (const std::string& warning : image.warnings)
-      add(warnings, fmt::format("{}/{} {}", image.scene, image.view, image.source), warning);
-  for (const ReportScore& score : report.scores)
-    for (const std::string& warning : score.warnings)
-      add(warnings,
-          fmt::format("{}/{} {} against {}", score.scene, score.view, score.variant, score.reference),
-          warning);
+  for (const SharedWarning& warning : shared_warnings(report))
+    add(warnings, about_text(warning), warning.text);
   if (failed.empty() && warnings.empty()) return "";
   std::string html = "<section id=\"problems\"><h2>Problems</h2>\n";
   if (!failed.empty())

@@ -10,6 +10,7 @@
 #include "reports/object_tables.h"
 #include "reports/reference_facts.h"
 #include "reports/sequences.h"
+#include "reports/shared_warnings.h"
 #include "reports/value_text.h"
 
 namespace lightbench {
@@ -98,7 +99,10 @@ std::string optional_cell(const std::optional<double>& value, double factor, int
 
 std::string references(const RunReport& report) {
   const std::vector<ReferenceFacts> all = reference_facts(report);
-  if (std::ranges::none_of(all, [](const ReferenceFacts& f) { return f.noise || f.light_share; })) return "";
+  std::string notes;
+  for (const std::string& line : bounces_lines(report)) notes += cell(line) + "\n\n";
+  if (std::ranges::none_of(all, [](const ReferenceFacts& f) { return f.noise || f.light_share; }))
+    return notes;
   std::string text =
       "### How exact the references are\n\n" +
       row({"reference", "kind", "bounces", "noise of 255", "worst noise", "light %", "seconds a view"}) +
@@ -107,7 +111,7 @@ std::string references(const RunReport& report) {
     text += row({cell(facts.name), cell(facts.kind), std::to_string(facts.bounces),
                  optional_cell(facts.noise, 1, 3), optional_cell(facts.worst_noise, 1, 3),
                  optional_cell(facts.light_share, 100, 1), fmt::format("{:.1f}", facts.seconds)});
-  return text + "\n";
+  return text + "\n" + notes;
 }
 
 std::string sequences(const RunReport& report) {
@@ -190,6 +194,15 @@ std::string failures(const RunReport& report) {
   return text + more(failed.size()) + "\n";
 }
 
+std::string warnings(const RunReport& report) {
+  const std::vector<SharedWarning> all = shared_warnings(report);
+  if (all.empty()) return "";
+  std::string text = "### Warnings\n\n" + row({"about", "warning"}) + row({":--", ":--"});
+  for (std::size_t i = 0; i < std::min(all.size(), kRows); ++i)
+    text += row({cell(about_text(all[i])), cell(all[i].text)});
+  return text + more(all.size()) + "\n";
+}
+
 }  // namespace
 
 std::vector<ReportFile> write_markdown(const RunReport& report) {
@@ -200,7 +213,8 @@ std::vector<ReportFile> write_markdown(const RunReport& report) {
   text += fmt::format(", {}.\n\n", duration_text(report.seconds));
   text += failures(report) + gates(report) + means(report) + sequences(report) + references(report) +
           objects("Baked objects", bake_tables(report), kBakeNote) +
-          objects("Compressed objects", compression_tables(report), kCompressionNote) + worst_views(report);
+          objects("Compressed objects", compression_tables(report), kCompressionNote) + worst_views(report) +
+          warnings(report);
   return {{"summary.md", text}};
 }
 

@@ -65,5 +65,19 @@ TEST(ReferenceFacts, OfEqualBouncesHaveNoShare) {
   EXPECT_THAT(light_share_lines(run), IsEmpty());
 }
 
+TEST(ReferenceFacts, TellWhichVariantsHaveAnotherNumberOfBounces) {
+  RunReport run = run_of_two_references();
+  run.variants = {{"direct", "direct", {}, 0, false, ""},
+                  {"isr", "isr", {}, 2, false, ""},
+                  {"mine", "images", {}, 0, false, ""}};
+  run.variants.back().external = true;
+  EXPECT_THAT(bounces_lines(run),
+              ElementsAre("two has 2 bounces of indirect light; other numbers: direct 0",
+                          "all has 16 bounces of indirect light; other numbers: direct 0, isr 2"));
+  run.variants.erase(run.variants.begin());
+  run.references.pop_back();
+  EXPECT_THAT(bounces_lines(run), IsEmpty());
+}
+
 }  // namespace
 }  // namespace lightbench
