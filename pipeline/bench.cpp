@@ -97,8 +97,7 @@ std::vector<TimedView> timed_views(const Job& job, const JobScene& scene, const 
     std::copy_if(job.variants.begin(), job.variants.end(), std::back_inserter(variants),
                  [&](const JobVariant& variant) {
                    const std::string label = fmt::format("{}/{}/{}", scene.name, view.name, variant.name);
-                   const Technique& technique = find_technique(variant.technique, "");
-                   return !technique.offline && !technique.external && is_selected(label, only);
+                   return is_timed(variant) && is_selected(label, only);
                  });
     if (!variants.empty()) timed.push_back({view, std::move(variants)});
   }
@@ -106,6 +105,11 @@ std::vector<TimedView> timed_views(const Job& job, const JobScene& scene, const 
 }
 
 }  // namespace
+
+bool is_timed(const JobVariant& variant) {
+  const Technique& technique = find_technique(variant.technique, "");
+  return !technique.offline && !technique.external;
+}
 
 BenchTime summarize(const std::string& pass, std::vector<double> seconds) {
   assert(!seconds.empty());

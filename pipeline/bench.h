@@ -26,11 +26,14 @@ struct BenchRow {
 /// Median and quartiles, interpolated between neighbours. Needs at least one value.
 BenchTime summarize(const std::string& pass, std::vector<double> seconds);
 
+/// Whether the variant has times that say something: not those of path tracing, which is not meant for real
+/// time, nor of reading another engine's pictures.
+bool is_timed(const JobVariant& variant);
+
 /// Times every view with every variant in this process, which should be alone on the machine: per view two
 /// frames of each variant to warm up, then `rounds` rounds in which the variants take turns. Nothing comes
-/// from a cache but baked objects, which must be in the run's folder `out` (bake_job). Variants that trace
-/// paths are left out: they are not meant for real time. `only`: of those whose scene/view/variant matches
-/// this pattern, or begins with it as a path; empty: all.
+/// from a cache but baked objects, which must be in the run's folder `out` (bake_job). Only timed variants.
+/// `only`: of those whose scene/view/variant matches this pattern, or begins with it as a path; empty: all.
 std::vector<BenchRow> bench_job(const Job& concrete, const std::filesystem::path& out, const std::string& gl,
                                 int rounds, const std::string& only = "");
 

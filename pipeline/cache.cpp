@@ -63,6 +63,12 @@ std::string FolderCache::why_missing(const Task& task) {
   return damage(task, *entry);
 }
 
+std::optional<std::string> FolderCache::last_failure(const Task& task) {
+  const LedgerEntry* entry = entry_of(task, ledger_.last());
+  if (!entry || entry->outcome == Outcome::ok || entry->key != task.key) return std::nullopt;
+  return entry->error;
+}
+
 std::optional<double> FolderCache::last_seconds(const Task& task) {
   const LedgerEntry* entry = entry_of(task, ledger_.last_done());
   if (!entry) return std::nullopt;

@@ -18,6 +18,8 @@ class Cache {
   virtual std::optional<LedgerEntry> find(const Task& task) = 0;
   /// Why `find` gave nothing: which part of the key changed, or which file is missing or damaged.
   virtual std::string why_missing(const Task& task) = 0;
+  /// Why the task failed when it was last tried, if it did, and with the same key.
+  virtual std::optional<std::string> last_failure(const Task& task) = 0;
   /// Seconds that the task took the last time, whatever its key was.
   virtual std::optional<double> last_seconds(const Task& task) = 0;
   virtual void record(const LedgerEntry& entry) = 0;
@@ -30,6 +32,7 @@ class FolderCache : public Cache {
 
   std::optional<LedgerEntry> find(const Task& task) override;
   std::string why_missing(const Task& task) override;
+  std::optional<std::string> last_failure(const Task& task) override;
   std::optional<double> last_seconds(const Task& task) override;
   void record(const LedgerEntry& entry) override;
 

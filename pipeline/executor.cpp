@@ -65,12 +65,19 @@ class Execution {
       if ((entries_[i] = cache_.find(plan_.tasks[i]))) schedule_.set_cached(i);
     for (std::size_t i = 0; i < plan_.tasks.size(); ++i) {
       if (schedule_.state(i) != TaskState::waiting) continue;
-      const bool selected = options_.selected.empty() || options_.selected[i];
-      if (!selected)
-        schedule_.skip(i, "not asked for, and not there from an earlier run");
+      if (!options_.selected.empty() && !options_.selected[i])
+        leave_out(i);
       else if (!plan_.tasks[i].refused.empty())
         fail(i, plan_.tasks[i].refused);
     }
+  }
+
+  /// What is not asked for is as the last run left it: not there, or failed.
+  void leave_out(std::size_t i) {
+    if (const auto reason = cache_.last_failure(plan_.tasks[i]))
+      schedule_.fail(i, *reason);
+    else
+      schedule_.skip(i, "not asked for, and not there from an earlier run");
   }
 
   void fill() {
@@ -86,6 +93,7 @@ class Execution {
       runner_.start(
           tasks, [this, number](std::string_view line) { on_line(number, line); },
           [this, number](const WorkerEnd& end) { on_end(number, end); });
+      watcher_.workers(workers_.size());
     }
   }
 
@@ -204,6 +212,7 @@ class Execution {
   void on_end(int number, const WorkerEnd& end) {
     const Worker worker = std::move(workers_.at(number));
     workers_.erase(number);
+    watcher_.workers(workers_.size());
     if (!runner_.interrupted()) {
       std::optional<std::size_t> lost = worker.current;
       if (!lost && !worker.began) lost = worker.tasks.front();

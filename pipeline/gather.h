@@ -20,11 +20,11 @@ enum class GateScope {
 RunReport gather_report(const Plan& plan, const PlanFacts& facts, const std::vector<TaskOutcome>& outcomes,
                         GateScope scope);
 
-/// task_failed where something failed, or was not finished though it was asked for; else gate_failed where a
-/// gate was not met; else not_judged where one was not judged and the run is not a partial one; else ok.
+/// task_failed where something that was asked for failed or was not finished; else gate_failed where a gate
+/// was not met; else not_judged where one was not judged and the run is not a partial one; else ok.
 ExitCode exit_code_of(const RunReport& report, const std::vector<TaskOutcome>& outcomes,
                       const std::vector<bool>& selected);
-/// The same from a stored report.
+/// The same from a stored report, of which everything counts as asked for.
 ExitCode exit_code_of(const RunReport& report);
 
 }  // namespace lightbench

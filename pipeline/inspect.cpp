@@ -65,6 +65,8 @@ SceneFacts inspect_scene(const Job& job, const JobScene& job_scene) {
   try {
     Scene scene = load_scene(job_scene.file);
     facts.files = file_parts(scene);
+    for (const auto& file : file_paths(scene))
+      facts.paths.push_back(std::filesystem::absolute(file).string());
     facts.triangles = triangle_count(scene);
     facts.light_points = light_point_count(scene);
     facts.texture_bytes = texture_bytes(scene);

@@ -74,6 +74,7 @@ struct SceneFacts {
   std::vector<std::string> warnings;
   std::vector<Credit> credits;
   KeyParts files;                                     ///< name and hash of everything that was read
+  std::vector<std::string> paths;                     ///< of these files, absolute
   std::vector<std::vector<std::string>> unsupported;  ///< [variant]: why its technique cannot show it
   std::vector<ObjectFacts> objects;                   ///< where a variant needs a bake
   std::vector<std::vector<ObjectSize>> sizes;         ///< [variant][object]: what is baked, about; or empty

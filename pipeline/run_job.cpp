@@ -17,6 +17,7 @@
 #include "pipeline/executor.h"
 #include "pipeline/gather.h"
 #include "pipeline/inspect.h"
+#include "pipeline/kept_files.h"
 #include "pipeline/plan_file.h"
 #include "pipeline/progress.h"
 #include "pipeline/run_folder.h"
@@ -65,7 +66,6 @@ std::vector<bool> selection(const Plan& plan, const Ledger& ledger, const RunOpt
 
 void print_end(const RunReport& report, const std::filesystem::path& out, bool interrupted) {
   say("\n" + terminal_summary(report));
-  for (const auto& warning : report.warnings) say("warning: " + warning);
   if (interrupted) say("interrupted: the same command goes on from here");
   say("\n" + (out / "index.html").string());
 }
@@ -83,28 +83,24 @@ void check_retry(const Job& job, const RunOptions& options) {
 /// Returns the run's folder, after making sure that no file of the run would replace what the job names.
 std::filesystem::path checked_folder(const Job& job, const RunOptions& options) {
   const auto out = run_folder(job, options.out);
-  std::vector<NamedFile> outputs, inputs{{"the job", job.file}};
-  for (const char* name : {"run.json", "plan.json", "ledger.jsonl", "index.html", "junit.xml", "summary.md"})
-    outputs.push_back({std::string("the run's ") + name, out / name});
-  for (const JobScene& scene : job.scenes) {
-    inputs.push_back({"scene '" + scene.name + "'", scene.file});
-    if (const auto* script = std::get_if<CameraScript>(&scene.views))
-      inputs.push_back({"the camera script of scene '" + scene.name + "'", script->file});
+  std::vector<NamedFile> outputs = run_files(out);
+  for (const JobScene& scene : job.scenes)
     if (std::holds_alternative<RandomViewsRequest>(scene.views))
       outputs.push_back({"the views drawn of scene '" + scene.name + "'", out / stored_cameras(scene)});
-  }
-  check_outputs(outputs, inputs);
+  check_outputs(outputs, job_files(job));
   return out;
 }
 
 /// A run under way, in its folder.
 struct StartedRun {
   StartedRun(const Job& job, const RunOptions& options)
-      : pipe_handler(std::signal(SIGPIPE, SIG_IGN)),  // work goes on when nobody reads its progress any more
-        out(checked_folder(job, options)),
+      : out(checked_folder(job, options)),
         ledger(out / "ledger.jsonl", LedgerUse::append),
         places(worker_places(options.places)),
-        prepared(prepare_run(job, out, options.gl, places)) {}
+        prepared(prepare_run(job, out, options.gl, places)) {
+    check_outputs_of(prepared.plan, prepared.facts);
+    std::signal(SIGPIPE, SIG_IGN);  // work and its exit code do not depend on who reads the progress
+  }
 
   /// Returns how each task ended; empty `selected`: all are done.
   std::vector<TaskOutcome> execute_tasks(const std::vector<bool>& selected) {
@@ -120,11 +116,6 @@ struct StartedRun {
     return outcomes;
   }
 
-  ~StartedRun() { std::signal(SIGPIPE, pipe_handler); }
-  StartedRun(const StartedRun&) = delete;
-  StartedRun& operator=(const StartedRun&) = delete;
-
-  void (*pipe_handler)(int);
   std::filesystem::path out;
   Ledger ledger;
   int places;

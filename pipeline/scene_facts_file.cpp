@@ -60,6 +60,7 @@ SceneFacts facts_of(const Json& json) {
     facts.credits.push_back(
         {credit.at(0).get<std::string>(), credit.at(1).get<std::string>(), credit.at(2).get<std::string>()});
   facts.files = pairs_of(json.at("files"));
+  facts.paths = json.at("paths").get<std::vector<std::string>>();
   facts.unsupported = json.at("unsupported").get<std::vector<std::vector<std::string>>>();
   for (const Json& object : json.at("objects"))
     facts.objects.push_back(
@@ -86,7 +87,8 @@ std::string scene_facts_to_json(const SceneFacts& facts) {
                {"moves", facts.moves},
                {"warnings", facts.warnings},
                {"credits", Json::array()},
-               {"files", pairs_json(facts.files)}};
+               {"files", pairs_json(facts.files)},
+               {"paths", facts.paths}};
   for (const Credit& credit : facts.credits)
     json["credits"].push_back({credit.piece, credit.creator, credit.license});
   json["unsupported"] = facts.unsupported;

@@ -9,17 +9,21 @@
 #include "base/error.h"
 #include "base/file_clashes.h"
 #include "base/files.h"
+#include "base/text.h"
 #include "pipeline/commands/busy.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/number_range.h"
+#include "pipeline/commands/run_options.h"
 #include "pipeline/concrete.h"
 #include "pipeline/console.h"
 #include "pipeline/inspect.h"
 #include "pipeline/job_file.h"
+#include "pipeline/kept_files.h"
 #include "pipeline/run_job.h"
 #include "pipeline/snapshot.h"
 #include "renderer/renderer.h"
 #include "renderer/technique.h"
+#include "scene/scene_file.h"
 
 namespace lightbench {
 namespace {
@@ -39,14 +43,21 @@ bool needs_bake(const JobVariant& variant) {
 
 /// Throws Error where the output would replace what is measured, before the minutes of measuring begin.
 void check_output(const std::filesystem::path& file, const Job& job) {
-  std::vector<NamedFile> inputs = {{"the job", job.file}};
-  for (const JobScene& scene : job.scenes) {
-    inputs.push_back({"a scene", scene.file});
-    if (const auto* script = std::get_if<CameraScript>(&scene.views))
-      inputs.push_back({"a camera script", script->file});
-  }
+  std::vector<NamedFile> inputs = job_files(job);
+  if (std::filesystem::exists(file))  // or there is nothing to replace, and no need to read the scenes for it
+    for (const JobScene& scene : job.scenes)
+      for (auto& input : named("a file of scene '" + scene.name + "'", file_paths(load_scene(scene.file))))
+        inputs.push_back(std::move(input));
   check_outputs(std::array{NamedFile{"-o", file}}, inputs);
   require_writable(file);
+}
+
+void tell_left_out(const Job& job) {
+  std::vector<std::string> names;
+  for (const JobVariant& variant : job.variants)
+    if (!is_timed(variant)) names.push_back(variant.name);
+  if (!names.empty())
+    say_aside("not timed, since they are path-traced or other engines' pictures: " + join(names, ", "));
 }
 
 ExitCode run_bench(const BenchParams& params) {
@@ -69,6 +80,7 @@ ExitCode run_bench(const BenchParams& params) {
         "no scene/view/variant is there to time; path-traced variants and pictures of other engines have no "
         "times",
         params.only);
+  tell_left_out(job);
   say(bench_table(rows) + "\n" + bench_means(rows));
   const std::string renderer = Renderer(parse_gl(params.gl, "--gl")).description();
   write_file_atomic(file, bench_json(concrete, rows, params.rounds, renderer));
@@ -90,7 +102,8 @@ void add_bench_command(CLI::App& app, Action& action) {
   command->add_option("--gl", params->gl, "OpenGL back end")
       ->check(CLI::IsMember({"osmesa", "egl"}))
       ->capture_default_str();
-  command->add_option("--out", params->out, "Folder of the run, for what is baked; default: out/<job name>");
+  command->add_option("--out", params->out, "Folder of the run, for what is baked; default: out/<job name>")
+      ->check(not_empty());
   command->add_option("-o,--output", params->output,
                       "JSON file to write; default: bench.json in the run's folder");
   command->footer(

@@ -1,5 +1,3 @@
-#include <array>
-
 #include <CLI/CLI.hpp>
 
 #include "base/file_clashes.h"
@@ -8,6 +6,7 @@
 #include "pipeline/commands/run_options.h"
 #include "pipeline/console.h"
 #include "pipeline/job_file.h"
+#include "pipeline/kept_files.h"
 #include "pipeline/oracle_job.h"
 
 namespace lightbench {
@@ -19,19 +18,19 @@ struct OracleParams {
   RunFlags flags;
 };
 
-/// The oracle's job takes the place of the job that was given, which must not be lost.
-void check_job_is_kept(const Job& job, const std::filesystem::path& out) {
-  std::vector<NamedFile> outputs;
-  for (const char* name : {"oracle.json", "oracle.md", "run.json", "plan.json", "ledger.jsonl"})
+/// The oracle's job may stand where the job that was given does, which must not be lost.
+void check_inputs_are_kept(const Job& job, const std::filesystem::path& out) {
+  std::vector<NamedFile> outputs = run_files(out);
+  for (const char* name : {"oracle.json", "oracle.md"})
     outputs.push_back({std::string("the run's ") + name, out / name});
-  check_outputs(outputs, std::array{NamedFile{"the job", job.file}});
+  check_outputs(outputs, job_files(job));
 }
 
 ExitCode run_oracle(const OracleParams& params) {
   OracleJob oracle = oracle_job(read_job(params.job), params.variants);
   const RunOptions options = run_options(params.flags);
   const std::filesystem::path out = run_folder(oracle.job, options.out);
-  check_job_is_kept(oracle.job, out);
+  check_inputs_are_kept(oracle.job, out);
   oracle.job.file = out / "oracle.json";  // so that the folder can be scored and run again as it is
   write_file_atomic(oracle.job.file, job_text(oracle.job));
   const ExitCode code = run_job(oracle.job, options);

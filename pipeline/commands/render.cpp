@@ -13,6 +13,7 @@
 #include "pipeline/snapshot.h"
 #include "pipeline/tables.h"
 #include "renderer/renderer.h"
+#include "renderer/techniques/images.h"
 #include "scene/scene_file.h"
 
 namespace lightbench {
@@ -34,12 +35,21 @@ std::filesystem::path buffer_file(std::filesystem::path output, const std::strin
   return output.replace_extension().string() + "." + name + extension;
 }
 
-void check_written_files(const RenderParams& params, const Scene& scene) {
+/// The picture that a technique shows instead of drawing one.
+NamedFile shown_picture(const Technique& technique, const ParamValues& values, const Scene& scene,
+                        const View& view) {
+  return {"the picture to show",
+          technique.external ? picture_path(values.text("pattern"), scene.name, view.name) : ""};
+}
+
+void check_written_files(const RenderParams& params, const Scene& scene, const NamedFile& picture) {
   std::vector<NamedFile> outputs = {{"-o", params.output}};
   for (const auto& name : params.buffers)
     for (const char* extension : {".exr", ".png"})
       outputs.push_back({"buffer " + name, buffer_file(params.output, name, extension)});
-  check_outputs(outputs, input_files(params.view, scene));
+  std::vector<NamedFile> inputs = input_files(params.view, scene);
+  inputs.push_back(picture);
+  check_outputs(outputs, inputs);
 }
 
 /// Nothing where no folder is given.
@@ -74,9 +84,9 @@ ExitCode run_render(const RenderParams& params) {
   const ImageSize size = parse_size(params.view.size);
   Scene scene = load_scene(params.view.scene);
   print_warnings(scene.warnings);
-  check_written_files(params, scene);
   warn_of_another_scene(scene, values, params, baked);
   const View view = chosen_view(params.view, scene);
+  check_written_files(params, scene, shown_picture(technique, values, scene, view));
   FrameRequest request{scene,
                        view,
                        size.width,

@@ -9,8 +9,12 @@
 
 namespace lightbench {
 
+CLI::Validator not_empty() {
+  return {[](const std::string& text) { return text.empty() ? "must not be empty" : std::string(); }, ""};
+}
+
 void add_run_flags(CLI::App& command, RunFlags& flags) {
-  command.add_option("--out", flags.out, "Folder of the run; default: out/<job name>");
+  command.add_option("--out", flags.out, "Folder of the run; default: out/<job name>")->check(not_empty());
   command.add_option("-j,--jobs", flags.places, "Workers at a time; default: one for each core")
       ->check(number_between(1, 1024));
   command.add_option(

@@ -18,6 +18,8 @@ struct RunFlags {
 
 void add_run_flags(CLI::App& command, RunFlags& flags);
 void add_partial_flag(CLI::App& command, bool& partial);
+/// Refuses an option's text that is empty, which would mean the default to what uses it.
+CLI::Validator not_empty();
 RunOptions run_options(const RunFlags& flags);
 TaskKind parse_stage(const std::string& name);
 

@@ -27,6 +27,16 @@ TEST_F(GlRun, AFailedTaskIsTriedAgain) {
   EXPECT_EQ(pictures("truth.png"), 2u);
 }
 
+TEST_F(GlRun, ScoringAfterAFailureTellsItAgain) {
+  fake_povray("echo 'it is dark here' >&2; exit 1");
+  EXPECT_EQ(run_job().exit_code, 2);
+  const auto result = run({"score", "out"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.out, HasSubstr("failed: box/front truth"));
+  EXPECT_THAT(result.out, HasSubstr("it is dark here"));
+  EXPECT_EQ(run({"report", "out"}).exit_code, 2) << "the stored report knows it as well";
+}
+
 TEST_F(GlRun, AReferenceWithoutAnImageHasFailed) {
   fake_povray("exit 0");
   const auto result = run_job();

@@ -88,6 +88,62 @@ TEST_F(GlRun, AJobIsNotReplacedByTheFilesOfItsRun) {
   EXPECT_EQ(read_file(path("run.json")), job);
 }
 
+/// A file that the job's scene or variant reads, put where the run would write, and the job that reads it
+/// there.
+struct KeptFile {
+  const char* what;
+  const char* output;
+  const char* old_place;
+  const char* reader;  ///< the file that names it
+};
+
+TEST_F(GlRun, WhatScenesAndVariantsReadIsNotReplaced) {
+  add_pictures(188);
+  const KeptFile cases[] = {
+      {"an OBJ", "out/summary.md", "box.obj", "scene.json"},
+      {"an MTL", "out/index.html", "box.mtl", "box.obj"},
+      {"an OBJ at a picture's place", "out/views/box/front/lit.png", "box.obj", "scene.json"},
+      {"an OBJ among exported files", "out/povray/box/mine.obj", "box.obj", "scene.json"},
+      {"a picture of another engine", "out/views/box/front/direct.png", "mine/box-front.png", "job.json"},
+  };
+  for (const KeptFile& kept : cases) {
+    const std::string text = read_file(path(kept.reader)), content = read_file(path(kept.old_place));
+    std::filesystem::create_directories(path(kept.output).parent_path());
+    write(kept.output, content);
+    const std::string name =
+        kept.reader == std::string("job.json") ? "mine/{scene}-{view}.png" : kept.old_place;
+    std::string moved = text;
+    write(kept.reader, moved.replace(moved.find(name), name.size(), kept.output));
+    const auto result = run_job();
+    EXPECT_EQ(result.exit_code, 3) << kept.what << result.out << result.err;
+    EXPECT_THAT(result.err, HasSubstr("would be overwritten by the run")) << kept.what;
+    EXPECT_EQ(read_file(path(kept.output)), content) << kept.what;
+    write(kept.reader, text);
+    std::filesystem::remove_all(path("out"));
+  }
+}
+
+TEST_F(GlRun, WhatIsNoFileInAFilesPlaceIsFoundBeforeTheWork) {
+  for (const char* name : {"out/index.html", "out/run.json", "out/views/box/front/lit.png"}) {
+    std::filesystem::create_directories(path(name));
+    const auto result = run_job();
+    EXPECT_EQ(result.exit_code, 3) << name;
+    EXPECT_THAT(result.err, HasSubstr(path(name).string() + ": is in the place of a file")) << name;
+    EXPECT_EQ(pictures(".exr"), 0u) << name;
+    std::filesystem::remove_all(path("out"));
+  }
+}
+
+TEST_F(GlRun, TheExitCodeDoesNotDependOnWhoReadsTheProgress) {
+  const auto result = run_process(
+      {.argv = {"/bin/bash", "-c", "\"$0\" run job.json --out out | head -1; echo ${PIPESTATUS[0]}",
+                LIGHTBENCH_BINARY},
+       .working_directory = path(""),
+       .environment = environment_,
+       .timeout = std::chrono::minutes(5)});
+  EXPECT_THAT(result.out, HasSubstr("\n0\n")) << result.out << result.err;
+}
+
 TEST_F(GlRun, RetryingWithoutARunIsBadUsage) {
   const auto result = run_job({"--retry-failed"});
   EXPECT_EQ(result.exit_code, 3);

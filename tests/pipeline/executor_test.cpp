@@ -27,6 +27,11 @@ class FakeCache : public Cache {
     return found->second;
   }
   std::string why_missing(const Task&) override { return ""; }
+  std::optional<std::string> last_failure(const Task& task) override {
+    const auto found = entries.find(task.id);
+    if (found == entries.end() || found->second.outcome == Outcome::ok) return std::nullopt;
+    return found->second.error;
+  }
   std::optional<double> last_seconds(const Task&) override { return std::nullopt; }
   void record(const LedgerEntry& entry) override {
     if (full) throw Error("no space left", "ledger.jsonl");
@@ -110,6 +115,7 @@ class FakeRunner : public Runner {
 class QuietWatcher : public Watcher {
  public:
   void begin(const Schedule&) override {}
+  void workers(std::size_t) override {}
   void started(const Task&) override {}
   void ended(const Task&, const TaskOutcome&) override {}
   void tick() override {}
@@ -175,6 +181,21 @@ TEST_F(Execute, AFailedTaskIsTriedAgainByTheNextRun) {
   runner_.begun.clear();
   run();
   EXPECT_THAT(runner_.begun, ::testing::ElementsAre("snapshot:one/a/other", "score:one/a/other/truth"));
+}
+
+TEST_F(Execute, WhatFailedBeforeAndIsNotAskedForIsToldWithItsReason) {
+  const std::size_t picture = index("snapshot:one/a/other"), score = index("score:one/a/other/truth");
+  runner_.failing = {"snapshot:one/a/other"};
+  run();
+  runner_.begun.clear();
+  options_.selected.assign(plan_.tasks.size(), false);
+  options_.selected[score] = true;
+  const auto outcomes = run();
+  EXPECT_TRUE(runner_.begun.empty());
+  EXPECT_EQ(outcomes[picture].state, TaskState::failed);
+  EXPECT_EQ(outcomes[picture].reason, "no light");
+  EXPECT_EQ(outcomes[score].state, TaskState::skipped);
+  EXPECT_THAT(outcomes[score].reason, HasSubstr("which failed: no light"));
 }
 
 TEST_F(Execute, ADeadWorkerLosesOnlyTheTaskThatItHadBegun) {

@@ -17,6 +17,7 @@ SceneFacts full_facts() {
   facts.warnings = {"bump maps are ignored", "caf\xE9.png is dark"};
   facts.credits = {{"chair", "someone", "CC0"}};
   facts.files = {{"a.obj", "1"}, {"a.obj", "2"}, {"caf\xE9.png", "3"}};
+  facts.paths = {"/one/a.obj", "/two/a.obj", "/caf\xE9.png"};
   facts.unsupported = {{}, {"it shows no water", "entities move"}};
   facts.objects = {{3, "floor", "0003-floor"}};
   facts.sizes = {{}, {{1000.5, 400}}};
