@@ -27,6 +27,7 @@ struct Gate {
   std::optional<double> max;
   Over over = Over::each;
   std::string as_written;  ///< shown in reports; empty: `describe`
+  std::string where{};     ///< its place in the job, for errors
 };
 
 /// "mean gain of isr >= 25 against povray, scene office".

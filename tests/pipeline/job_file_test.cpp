@@ -1,5 +1,7 @@
 #include "pipeline/job_file.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -147,7 +149,7 @@ const BadJob kBadJobs[] = {
     {"image of 100k x 100k", "[8, 6]", "[100000, 100000]", "$.size"},
     {"too large with its samples", "[8, 6]", "[16384, 16384], \"samples\": 4", "$.samples"},
     {"size of three", "[8, 6]", "[8, 6, 1]", "$.size: must be [width, height]"},
-    {"size in text", "[8, 6]", "[\"8\", 6]", "$.size[0]: must be a number"},
+    {"size in text", "[8, 6]", "[\"8\", 6]", "$.size[0]: must be a whole number, not a text"},
     {"zero-area camera", R"("position": [1, 0, 0])", R"("position": [0, 0, 0])", "$.scenes[1].views[0]"},
     {"foreign variable", "one.json", "${HOME}/one.json", "$.scenes[0].scene"},
     {"no variants", R"({"name": "direct", "technique": "direct"}, {"name": "other", "technique": "ambient"})",
@@ -173,6 +175,72 @@ const BadJob kBadJobs[] = {
     {"not JSON", R"("metrics")", R"(metrics)", "/jobs/job.json:11"},
 };
 INSTANTIATE_TEST_SUITE_P(All, JobFileError, ::testing::ValuesIn(kBadJobs));
+
+std::size_t lines_of(const std::string& text) {
+  return std::size_t(std::ranges::count(text, '\n'));
+}
+
+TEST(JobFile, AllProblemsAreToldAtOnceWithTheirPlaces) {
+  const std::string error = error_of(R"({
+    "size": [0, 6], "smaples": 2,
+    "scenes": [{"scene": "one.json", "views": [{"name": "a", "position": [0, 0, 1], "look_at": [0, 0, 0]}],
+                "sequence": {"frames": 1, "rate": 0}},
+               {"name": "two"}],
+    "variants": [{"technique": "dierct", "name": ""}, {"technique": "ambient", "params": {"k": -1, "shadow": "x"}}],
+    "references": [{"kind": "povray", "timeout": 0}],
+    "metrics": ["gian", "rsme"],
+    "difference": {"heat": 1}
+  })");
+  EXPECT_THAT(error, testing::StartsWith("/jobs/job.json: 14 problems:"));
+  for (const char* place :
+       {"$.size: ", "$: unknown key 'smaples'", "$.scenes[0].sequence.frames: ",
+        "$.scenes[0].sequence.rate: ", "$.scenes[1]: the key 'scene' is missing",
+        "$.scenes[1]: needs 'cameras'", "$.variants[0].technique: ", "$.variants[0].name: ",
+        "$.variants[1].params.k: ", "$.variants[1].params: unknown key 'shadow'",
+        "$.references[0].timeout: ", "$.metrics[0]: ", "$.metrics[1]: ", "$.difference.heat: "})
+    EXPECT_THAT(error, HasSubstr(std::string("\n  /jobs/job.json: ") + place)) << place;
+  EXPECT_EQ(lines_of(error), 14u);
+}
+
+TEST(JobFile, AProblemOfAListBringsNoOthersOfItsNames) {
+  const auto text =
+      replaced(replaced(kJobText, R"("name": "other", "technique": "ambient")",
+                        R"("name": "other", "technique": "ambeint")"),
+               R"("metrics")",
+               R"("baseline": "other", "gates": [{"metric": "gain", "variant": "other", "min": 0}],
+                                "metrics")");
+  EXPECT_THAT(error_of(text), testing::StartsWith("/jobs/job.json: $.variants[1].technique: "));
+}
+
+TEST(JobFile, AllProblemsOfGatesAreTold) {
+  const std::string error = error_of(replaced(
+      kJobText, R"("metrics")",
+      R"("gates": [{"metric": "gian", "variant": "othre", "scene": "thre"}, {"metric": "gain", "variant": "*",
+          "over": "eahc", "min": 2, "max": 1}], "metrics")"));
+  for (const char* place : {"$.gates[0].metric: ", "$.gates[0].variant: ", "$.gates[0].scene: ",
+                            "$.gates[0]: a gate needs", "$.gates[1].over: ", "$.gates[1]: 'min' is above"})
+    EXPECT_THAT(error, HasSubstr(place));
+}
+
+TEST(JobFile, OneProblemIsToldAsItIs) {
+  EXPECT_EQ(error_of(replaced(kJobText, "[8, 6]", "[8, 6, 1]")),
+            "/jobs/job.json: $.size: must be [width, height]");
+}
+
+TEST(JobFile, OfAMillionProblemsTheFirstAreTold) {
+  std::string metrics = "\"x\"";
+  for (int i = 0; i < 5000; ++i) metrics += ", \"x\"";
+  const std::string error = error_of(replaced(kJobText, R"("mean_error", "gain")", metrics));
+  EXPECT_THAT(error, HasSubstr("1000 problems or more:"));
+  EXPECT_THAT(error, testing::EndsWith("and 950 more"));
+}
+
+TEST(JobFile, ANumberInATextIsCalledAText) {
+  EXPECT_THAT(
+      error_of(replaced(kJobText, R"("views": [{"name": "a", "position": [1, 0, 0], "look_at": [0, 0, 0]}])",
+                        R"("random": {"count": 1, "seed": "1"})")),
+      HasSubstr("$.scenes[1].random.seed: must be a whole number, not a text"));
+}
 
 TEST(JobFile, AJobWithASequenceHasTheMetricsOfSequences) {
   const std::string text = R"({"scenes": [{"scene": "s.json", "random": {"count": 1}SEQUENCE}],
