@@ -11,6 +11,7 @@
 #include "pipeline/concrete.h"
 #include "pipeline/job_problems.h"
 #include "pipeline/tables.h"
+#include "reports/metric.h"
 #include "scene/scene_json.h"
 
 namespace lightbench {
@@ -25,12 +26,14 @@ class Names {
   /// A name that stands for several.
   void add_alias(const std::string& name) { exact_.insert(name); }
 
+  bool is_missing(const std::string& name) const { return whole_ && !exact_.contains(name); }
+
   std::string name(const JsonValue& value) const { return whole_ ? value.choice(listed_) : value.text(); }
 
   std::string pattern(const JsonValue& value) const {
     std::string pattern = value.text();
     const auto matches = [&](const std::string& name) { return matches_glob(name, pattern); };
-    if (whole_ && !exact_.contains(pattern) && std::ranges::none_of(listed_, matches))
+    if (is_missing(pattern) && std::ranges::none_of(listed_, matches))
       value.fail(fmt::format("no {} is called '{}'{}", what_, pattern, did_you_mean(pattern, listed_)));
     return pattern;
   }
@@ -54,12 +57,20 @@ struct GateNames {
   }
 };
 
+/// A metric that the job computes.
+std::string read_metric(const JsonValue& value, const Names& computed) {
+  const std::string name = value.text();
+  if (computed.is_missing(name) && std::ranges::count(metrics(), name, &Metric::name) > 0)
+    value.fail("the job does not compute '" + name + "': name it in the job's 'metrics'");
+  return computed.name(value);
+}
+
 Gate read_gate(const JsonValue& value, const GateNames& names, ProblemList& problems) {
   KeyReader keys(value, problems);
   Gate gate;
   gate.as_written = value.raw().dump();
   gate.where = value.where();
-  keys.required("metric", [&](const JsonValue& v) { gate.metric = names.metrics.name(v); });
+  keys.required("metric", [&](const JsonValue& v) { gate.metric = read_metric(v, names.metrics); });
   keys.required("variant", [&](const JsonValue& v) { gate.variant = names.variants.pattern(v); });
   keys.optional("reference", [&](const JsonValue& v) { gate.reference = names.references.name(v); });
   keys.optional("scene", [&](const JsonValue& v) { gate.scene = names.scenes.pattern(v); });
