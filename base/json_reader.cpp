@@ -145,6 +145,7 @@ double JsonValue::number(double min, double max) const {
 }
 
 long long JsonValue::integer(long long min, long long max) const {
+  if (!value_->is_number()) fail(fmt::format("must be a whole number, not {}", type_name(*value_)));
   const double value = number();
   if (value != std::floor(value) || std::abs(value) > 9007199254740992.0)
     fail(fmt::format("must be a whole number, not {}", value));

@@ -32,6 +32,12 @@ void check_range(const ParamSpec& spec, double value, const std::string& where) 
                 where);
 }
 
+/// For errors: a text looks like the number in it, so it is called one.
+std::string described(const ParamValue& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  return text ? "the text '" + *text + "'" : to_text(value);
+}
+
 /// The value in the type of the specification; a whole number may stand for a number.
 ParamValue converted(const ParamSpec& spec, const ParamValue& value, const std::string& where) {
   switch (spec.type) {
@@ -70,7 +76,7 @@ ParamValue converted(const ParamSpec& spec, const ParamValue& value, const std::
   }
   static const char* const kTypeNames[] = {"true or false", "a whole number", "a number", "a text", "a text"};
   throw Error(fmt::format("'{}' must be {}, not {}", spec.name, kTypeNames[static_cast<int>(spec.type)],
-                          to_text(value)),
+                          described(value)),
               where);
 }
 

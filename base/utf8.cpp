@@ -26,9 +26,14 @@ bool turns_the_order(unsigned code) {
          (code >= 0x2066 && code <= 0x2069);
 }
 
+/// Line and paragraph separators, which some programs show as the end of a line.
+bool ends_a_line(unsigned code) {
+  return code == 0x2028 || code == 0x2029;
+}
+
 bool is_forbidden(std::string_view sequence) {
   const unsigned code = code_point(sequence);
-  return is_control(code) || turns_the_order(code) || code == 0xFFFE || code == 0xFFFF;
+  return is_control(code) || ends_a_line(code) || turns_the_order(code) || code == 0xFFFE || code == 0xFFFF;
 }
 
 }  // namespace

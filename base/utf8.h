@@ -12,7 +12,7 @@ namespace lightbench {
 std::size_t utf8_sequence_length(std::string_view text);
 
 /// Bytes that are not UTF-8, and code points that XML forbids (control characters but tab and line feed,
-/// U+FFFE, U+FFFF) or that turn the order of what follows them (U+200E, U+200F, U+202A to U+202E, U+2066 to
+/// U+FFFE, U+FFFF), that end a line (U+2028, U+2029) or that turn the order of what follows them (U+200E, U+200F, U+202A to U+202E, U+2066 to
 /// U+2069), become U+FFFD. A carriage return becomes a line feed.
 std::string clean_utf8(std::string_view text);
 

@@ -1,6 +1,5 @@
 #include "pipeline/cli.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <sstream>
@@ -10,8 +9,8 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "base/text.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/usage_errors.h"
 #include "pipeline/console.h"
 #include "pipeline/references.h"
 #include "pipeline/version.h"
@@ -53,17 +52,6 @@ void add_commands(CLI::App& app, Action& action) {
     add(app, action);
 }
 
-/// CLI11 would only say that a command is missing.
-void check_command(const CLI::App& app, int argc, const char* const* argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-    names.push_back(command->get_name());
-  const std::string name = argv[1];
-  if (std::find(names.begin(), names.end(), name) == names.end())
-    throw Error("there is no command '" + name + "'" + did_you_mean(name, names) + "; see lightbench --help");
-}
-
 ExitCode run_command(int argc, const char* const* argv) {
   CLI::App app("Measures how close real-time lighting techniques come to a path-traced truth.", "lightbench");
   app.footer(kFooter);
@@ -71,12 +59,13 @@ ExitCode run_command(int argc, const char* const* argv) {
   app.set_version_flag("--version", version_text, "Versions of lightbench and of the tools that it runs");
   Action action;
   add_commands(app, action);
-  check_command(app, argc, argv);
+  check_commands(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     std::ostringstream out, err;
     const int code = app.exit(error, out, err);
+    if (code != 0) check_leftovers(app);
     if (!out.str().empty()) say(out.str());
     if (!err.str().empty()) say_aside(err.str());
     return code == 0 ? ExitCode::ok : ExitCode::bad_input;

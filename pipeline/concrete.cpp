@@ -8,6 +8,8 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "pipeline/job_gates.h"
+#include "pipeline/job_problems.h"
 #include "pipeline/run_folder.h"
 #include "pipeline/tables.h"
 #include "scene/camera_script.h"
@@ -125,27 +127,50 @@ std::filesystem::path stored_cameras(const JobScene& scene) {
   return std::filesystem::path("cameras") / (escape_file_name(scene.name) + ".json");
 }
 
+namespace {
+
+/// Makes the views of a scene still ones, and of those of a sequence its frames.
+void make_still(JobScene& scene) {
+  auto views = views_of(scene);
+  if (scene.sequence) views = frames_of(views, *scene.sequence);
+  for (auto& view : views) view.keyframes.clear();
+  scene.sequence.reset();
+  scene.views = std::move(views);
+}
+
+/// Settles the views that are written down: nothing has to be drawn for them.
+void settle_written_views(JobScene& scene) {
+  if (const auto* script = std::get_if<CameraScript>(&scene.views)) {
+    auto views = chosen_views(*script);  // the script is a part of what it is replaced with
+    scene.views = std::move(views);
+  }
+  make_still(scene);
+}
+
+}  // namespace
+
 Job make_concrete(const Job& job, const std::filesystem::path& out, const DrawViews& draw_views) {
   Job result = job;
   result.variants = expand_sweeps(job.variants);
   result.gates = expand_gates(job.gates, result.variants);
+  ProblemList problems;
+  for (auto& scene : result.scenes)
+    if (!std::holds_alternative<RandomViewsRequest>(scene.views))
+      collect(problems, [&] { settle_written_views(scene); });
+  check_gate_views(job.gates, result.scenes, problems);
+  throw_problems(problems, job.file.string());
+
   for (auto& scene : result.scenes) {
-    if (const auto* script = std::get_if<CameraScript>(&scene.views)) {
-      auto views = chosen_views(*script);
-      scene.views = std::move(views);
-    } else if (const auto* request = std::get_if<RandomViewsRequest>(&scene.views)) {
-      check_inside(out, stored_cameras(scene).parent_path());
-      const auto file = out / stored_cameras(scene);
-      write_file_atomic(file,
-                        camera_script_text(draw_views(scene, *request, double(job.width) / job.height)));
-      scene.views = read_camera_script(file);
-    }
-    auto views = views_of(scene);
-    if (scene.sequence) views = frames_of(views, *scene.sequence);
-    scene.sequence.reset();
-    for (auto& view : views) view.keyframes.clear();
-    scene.views = std::move(views);
+    const auto* request = std::get_if<RandomViewsRequest>(&scene.views);
+    if (!request) continue;
+    check_inside(out, stored_cameras(scene).parent_path());
+    const auto file = out / stored_cameras(scene);
+    write_file_atomic(file, camera_script_text(draw_views(scene, *request, double(job.width) / job.height)));
+    scene.views = read_camera_script(file);
+    make_still(scene);
   }
+  check_gate_views(job.gates, result.scenes, problems);
+  throw_problems(problems, job.file.string());
   return result;
 }
 

@@ -37,7 +37,8 @@ std::filesystem::path stored_cameras(const JobScene& scene);
 /// The job with nothing left to decide: every scene's views are a list of still ones, and no variant has a
 /// sweep. Of a scene with a sequence each view becomes its frames, `name.000`, `name.001` and so on. Camera
 /// scripts are read; drawn views are stored as a camera script in the run's folder and read back from it, so
-/// that a repetition from the stored script has the same views to the bit.
+/// that a repetition from the stored script has the same views to the bit. Throws Error for scripts that
+/// cannot be read and for gates that match no view; where views need not be drawn, before any is.
 Job make_concrete(const Job& job, const std::filesystem::path& out, const DrawViews& draw_views);
 
 }  // namespace lightbench

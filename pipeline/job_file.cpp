@@ -1,16 +1,16 @@
 #include "pipeline/job_file.h"
 
 #include <algorithm>
-#include <set>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "base/files.h"
 #include "base/image_io.h"
 #include "base/text.h"
 #include "pipeline/concrete.h"
+#include "pipeline/job_gates.h"
+#include "pipeline/job_problems.h"
 #include "pipeline/job_sources.h"
 #include "pipeline/references.h"
 #include "pipeline/tables.h"
@@ -23,73 +23,19 @@ namespace {
 
 constexpr int kMaxSamples = 8;
 
-/// The names of one kind that gates may give, exactly or by a pattern.
-struct Names {
-  std::vector<std::string> listed;
-  std::set<std::string> exact;  ///< those, and the names that stand for all that a sweep makes
-
-  explicit Names(std::vector<std::string> names)
-      : listed(std::move(names)), exact(listed.begin(), listed.end()) {}
-
-  void check(const JsonValue& value, const std::string& what) const {
-    const std::string pattern = value.text();
-    if (exact.contains(pattern)) return;
-    const auto matches = [&](const std::string& name) { return matches_glob(name, pattern); };
-    if (std::none_of(listed.begin(), listed.end(), matches))
-      value.fail(fmt::format("no {} is called '{}'{}", what, pattern, did_you_mean(pattern, listed)));
-  }
-};
-
-struct GateNames {
-  Names variants;
-  std::vector<std::string> references;
-  Names scenes;
-};
-
-GateNames gate_names(const Job& job) {
-  GateNames names{Names(row_names(expand_sweeps(job.variants))), row_names(job.references),
-                  Names(row_names(job.scenes))};
-  for (const auto& variant : job.variants) names.variants.exact.insert(variant.name);
-  return names;
-}
-
-Gate read_gate(const JsonValue& value, const Job& job, const GateNames& names) {
-  JsonObject object = value.object();
-  Gate gate;
-  gate.as_written = value.raw().dump();
-  gate.metric = object.at("metric").choice(job.metrics);
-  const JsonValue variant = object.at("variant");
-  names.variants.check(variant, "variant");
-  gate.variant = variant.text();
-  if (const auto reference = object.find("reference")) gate.reference = reference->choice(names.references);
-  if (const auto scene = object.find("scene")) {
-    names.scenes.check(*scene, "scene");
-    gate.scene = scene->text();
-  }
-  if (const auto view = object.find("view")) gate.view = view->text();
-  if (const auto min = object.find("min")) gate.min = min->number();
-  if (const auto max = object.find("max")) gate.max = max->number();
-  if (!gate.min && !gate.max) value.fail("a gate needs 'min' or 'max'");
-  if (gate.min && gate.max && *gate.min > *gate.max) value.fail("'min' is above 'max'");
-  if (const auto over = object.find("over")) gate.over = parse_gate_over(*over);
-  object.finish();
-  return gate;
-}
-
-JobDifference read_difference(JsonObject object) {
+JobDifference read_difference(const JsonValue& value, ProblemList& problems) {
+  KeyReader keys(value, problems);
   JobDifference difference;
-  if (const auto images = object.find("images")) difference.images = images->boolean();
-  if (const auto heat = object.find("heat")) difference.heat = heat->boolean();
-  if (const auto baseline = object.find("baseline")) difference.baseline = baseline->boolean();
-  if (const auto scale = object.find("heat_scale")) difference.heat_scale = scale->number(1, 255);
-  object.finish();
+  keys.optional("images", [&](const JsonValue& v) { difference.images = v.boolean(); });
+  keys.optional("heat", [&](const JsonValue& v) { difference.heat = v.boolean(); });
+  keys.optional("baseline", [&](const JsonValue& v) { difference.baseline = v.boolean(); });
+  keys.optional("heat_scale", [&](const JsonValue& v) { difference.heat_scale = v.number(1, 255); });
+  keys.finish();
   return difference;
 }
 
-/// The job's baseline: as named, else its only `direct` variant.
-std::string read_baseline(JsonObject& object, const Job& job) {
-  const auto variants = expand_sweeps(job.variants);
-  if (const auto value = object.find("baseline")) return value->choice(row_names(std::span(variants)));
+/// The name of the only `direct` variant.
+std::string default_baseline(const std::vector<JobVariant>& variants) {
   std::string found;
   for (const auto& variant : variants) {
     if (variant.technique != "direct") continue;
@@ -100,40 +46,45 @@ std::string read_baseline(JsonObject& object, const Job& job) {
 }
 
 std::vector<std::string> read_names(const JsonValue& list, const std::vector<std::string>& choices,
-                                    const std::string& what) {
+                                    const std::string& what, ProblemList& problems) {
   std::vector<std::string> result;
   UniqueNames names(what);
-  for (const auto& item : list.items()) {
-    result.push_back(item.choice(choices));
-    names.add(result.back(), item);
-  }
+  for (const auto& item : list.items())
+    collect(problems, [&] {
+      result.push_back(item.choice(choices));
+      names.add(result.back(), item);
+    });
   return result;
 }
 
-void read_image_settings(JsonObject& object, Job& job) {
-  if (const auto size = object.find("size")) {
-    const auto items = size->items();
-    if (items.size() != 2) size->fail("must be [width, height]");
-    const long long width = items[0].integer();
-    const long long height = items[1].integer();
-    check_image_size(width, height, size->where());
-    job.width = int(width);
-    job.height = int(height);
-  }
-  if (const auto samples = object.find("samples")) {
-    job.samples = int(samples->integer(1, kMaxSamples));
-    check_image_size(1LL * job.width * job.samples, 1LL * job.height * job.samples, samples->where());
-  }
+void read_size(const JsonValue& size, Job& job) {
+  const auto items = size.items();
+  if (items.size() != 2) size.fail("must be [width, height]");
+  const long long width = items[0].integer();
+  const long long height = items[1].integer();
+  check_image_size(width, height, size.where());
+  job.width = int(width);
+  job.height = int(height);
 }
 
-void read_scenes(JsonObject& object, const JobReading& reading, Job& job) {
-  const JsonValue scenes = object.at("scenes");
+void read_image_settings(KeyReader& keys, Job& job) {
+  keys.optional("size", [&](const JsonValue& v) { read_size(v, job); });
+  keys.optional("samples", [&](const JsonValue& v) {
+    job.samples = int(v.integer(1, kMaxSamples));
+    check_image_size(1LL * job.width * job.samples, 1LL * job.height * job.samples, v.where());
+  });
+}
+
+void read_scenes(const JsonValue& scenes, const JobReading& reading, Job& job) {
+  const std::vector<JsonValue> items = scenes.items();
+  if (items.empty()) scenes.fail("a job needs at least one scene");
   UniqueNames names("the scene");
-  for (const auto& item : scenes.items()) {
-    job.scenes.push_back(read_scene(item, reading));
-    names.add(job.scenes.back().name, item);
+  for (const auto& item : items) {
+    JobScene scene;
+    if (!collect(reading.problems, [&] { scene = read_scene(item, reading); })) continue;
+    collect(reading.problems, [&] { names.add(scene.name, item); });
+    job.scenes.push_back(std::move(scene));
   }
-  if (job.scenes.empty()) scenes.fail("a job needs at least one scene");
 }
 
 /// How many variants the sweep makes; too many are an error with their place.
@@ -157,70 +108,99 @@ void check_swept(const JobVariant& variant, const JsonValue& item, UniqueNames& 
 }
 
 void read_variants(const JsonValue& variants, const JobReading& reading, UniqueNames& names, Job& job) {
+  const std::vector<JsonValue> items = variants.items();
+  if (items.empty()) variants.fail("a job needs at least one variant");
   std::size_t count = 0;
-  for (const auto& item : variants.items()) {
-    job.variants.push_back(read_variant(item, reading));
-    count += checked_count(job.variants.back(), item);
-    if (count > kMaxVariants) item.fail(fmt::format("a job has at most {} variants", kMaxVariants));
-    check_swept(job.variants.back(), item, names);
+  for (const auto& item : items) {
+    JobVariant variant;
+    std::size_t made = 0;
+    const bool fine = collect(reading.problems, [&] {
+      variant = read_variant(item, reading);
+      made = checked_count(variant, item);
+    });
+    if (!fine) continue;
+    if ((count += made) > kMaxVariants) item.fail(fmt::format("a job has at most {} variants", kMaxVariants));
+    collect(reading.problems, [&] { check_swept(variant, item, names); });
+    job.variants.push_back(std::move(variant));
   }
-  if (job.variants.empty()) variants.fail("a job needs at least one variant");
 }
 
-void read_sources(JsonObject& object, const JobReading& reading, Job& job) {
+void read_references(const JsonValue& references, const JobReading& reading, UniqueNames& names, Job& job) {
+  for (const auto& item : references.items()) {
+    JobReference reference;
+    if (!collect(reading.problems, [&] { reference = read_reference(item, reading); })) continue;
+    collect(reading.problems, [&] {
+      names.add(reference.name, item);
+      check_reference(reference, item.where());
+    });
+    job.references.push_back(std::move(reference));
+  }
+}
+
+WholeLists read_lists(KeyReader& keys, const JobReading& reading, Job& job) {
+  ProblemList& problems = reading.problems;
+  WholeLists whole;
   UniqueNames names("the name");
-  read_variants(object.at("variants"), reading, names, job);
-  if (const auto references = object.find("references"))
-    for (const auto& item : references->items()) {
-      job.references.push_back(read_reference(item, reading));
-      names.add(job.references.back().name, item);
-      check_reference(job.references.back(), item.where());
-    }
+  whole.scenes = collect(
+      problems, [&] { keys.required("scenes", [&](const JsonValue& v) { read_scenes(v, reading, job); }); });
+  whole.variants = collect(problems, [&] {
+    keys.required("variants", [&](const JsonValue& v) { read_variants(v, reading, names, job); });
+  });
+  whole.references = collect(problems, [&] {
+    keys.optional("references", [&](const JsonValue& v) { read_references(v, reading, names, job); });
+  });
+  return whole;
 }
 
-void read_gates(const JsonValue& list, Job& job) {
-  const std::vector<JsonValue> items = list.items();
-  if (items.empty()) return;
-  if (job.references.empty()) items.front().fail("a gate needs a reference in the job");
-  if (items.size() > kMaxGates) list.fail(fmt::format("a job has at most {} gates", kMaxGates));
-  const GateNames names = gate_names(job);
-  for (const auto& item : items) job.gates.push_back(read_gate(item, job, names));
-}
-
-void read_scoring(JsonObject& object, Job& job) {
-  job.baseline = read_baseline(object, job);
-  if (!job.references.empty()) job.primary_reference = job.references.front().name;
-  if (const auto primary = object.find("primary_reference"))
-    job.primary_reference = primary->choice(row_names(std::span(job.references)));
+void read_metrics(KeyReader& keys, ProblemList& problems, WholeLists& whole, Job& job) {
   job.metrics = default_metrics();
   if (std::ranges::any_of(job.scenes, [](const JobScene& scene) { return scene.sequence.has_value(); }))
     for (const auto& name : sequence_metrics()) job.metrics.push_back(name);
-  if (const auto chosen = object.find("metrics"))
-    job.metrics = read_names(*chosen, row_names(metrics()), "the metric");
-  if (const auto gates = object.find("gates")) read_gates(*gates, job);
-  if (const auto difference = object.find("difference"))
-    job.difference = read_difference(difference->object());
+  const bool fine = collect(problems, [&] {
+    keys.optional("metrics", [&](const JsonValue& v) {
+      job.metrics = read_names(v, row_names(metrics()), "the metric", problems);
+    });
+  });
+  whole.metrics = fine && (keys.has("metrics") || whole.scenes);  // sequences decide on the default
+}
+
+void read_scoring(KeyReader& keys, ProblemList& problems, WholeLists& whole, Job& job) {
+  const std::vector<JobVariant> variants = expand_sweeps(job.variants);
+  job.baseline = default_baseline(variants);
+  keys.optional("baseline", [&](const JsonValue& v) {
+    job.baseline = whole.variants ? v.choice(row_names(variants)) : v.text();
+  });
+  if (!job.references.empty()) job.primary_reference = job.references.front().name;
+  keys.optional("primary_reference", [&](const JsonValue& v) {
+    job.primary_reference = whole.references ? v.choice(row_names(job.references)) : v.text();
+  });
+  read_metrics(keys, problems, whole, job);
+  keys.optional("gates", [&](const JsonValue& v) { read_gates(v, whole, problems, job); });
+  keys.optional("difference", [&](const JsonValue& v) { job.difference = read_difference(v, problems); });
+  keys.optional("buffers", [&](const JsonValue& v) {
+    if (whole.variants) job.buffers = read_names(v, known_buffers(job.variants), "the buffer", problems);
+  });
 }
 
 }  // namespace
 
 Job parse_job(const std::string& text, const std::filesystem::path& file, JobText kind) {
   const bool written = kind == JobText::written;
-  JsonObject object = JsonValue::parse(text, file.string(), written ? kWrittenJson : kOwnJson).object();
+  const JsonValue root = JsonValue::parse(text, file.string(), written ? kWrittenJson : kOwnJson);
+  ProblemList problems;
+  KeyReader keys(root, problems);
   const JobReading reading{std::filesystem::absolute(file).parent_path(),
-                           written ? kMaxNameBytes : std::string::npos};
+                           written ? kMaxNameBytes : std::string::npos, problems};
   Job job;
   job.file = file;
-  object.find("$schema");  // for editors
-  const auto name = object.find("name");
-  job.name = name ? read_name(*name, reading.longest_name) : name_of_file(file, file.string());
-  read_image_settings(object, job);
-  read_scenes(object, reading, job);
-  read_sources(object, reading, job);
-  read_scoring(object, job);
-  if (const auto buffers = object.find("buffers"))
-    job.buffers = read_names(*buffers, known_buffers(job.variants), "the buffer");
-  object.finish();
+  keys.optional("$schema", [](const JsonValue&) {});  // for editors
+  keys.optional("name", [&](const JsonValue& v) { job.name = read_name(v, reading.longest_name); });
+  if (!keys.has("name")) collect(problems, [&] { job.name = name_of_file(file, file.string()); });
+  read_image_settings(keys, job);
+  WholeLists whole = read_lists(keys, reading, job);
+  read_scoring(keys, problems, whole, job);
+  keys.finish();
+  throw_problems(problems, file.string());
   return job;
 }
 

@@ -9,7 +9,7 @@ namespace lightbench {
 
 /// Reads a job file (JSON with comments). Relative paths are taken from the file's folder. Throws Error with
 /// the JSON path, and the nearest known name, for unknown keys, techniques, parameters, metrics, variants and
-/// so on. Scene and camera files are only named, not read.
+/// so on; one Error has all that is wrong in the file. Scene and camera files are only named, not read.
 Job read_job(const std::filesystem::path& file);
 /// A job as somebody wrote it, or as a plan has it: its names were checked before, and those that a sweep
 /// made may be long.

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/files.h"
 #include "base/text.h"
+#include "pipeline/job_problems.h"
 #include "pipeline/references.h"
 #include "pipeline/tables.h"
 #include "renderer/technique.h"
@@ -18,16 +19,16 @@ namespace {
 
 constexpr int kMaxRandomViews = 10000;
 
-GivenParams read_params(JsonObject object, std::span<const ParamSpec> specs,
-                        const std::filesystem::path& base) {
+GivenParams read_params(const JsonValue& value, std::span<const ParamSpec> specs, const JobReading& reading) {
+  KeyReader keys(value, reading.problems);
   GivenParams result;
   for (const auto& spec : specs)
-    if (const auto value = object.find(spec.name)) {
-      result[spec.name] = read_param(spec, *value);
+    keys.optional(spec.name, [&](const JsonValue& v) {
+      result[spec.name] = read_param(spec, v);
       if (is_path_param(spec))
-        result[spec.name] = resolve_path_param(spec, value->text(), base, value->where());
-    }
-  object.finish();
+        result[spec.name] = resolve_path_param(spec, v.text(), reading.base, v.where());
+    });
+  keys.finish();
   return result;
 }
 
@@ -40,90 +41,105 @@ void add_default_paths(std::span<const ParamSpec> specs, const std::filesystem::
           resolve_path_param(spec, std::get<std::string>(spec.default_value), base, spec.name);
 }
 
-std::string read_preset(JsonObject& object, std::span<const ParamPreset> presets) {
-  const auto value = object.find("preset");
-  if (!value) return "";
-  if (presets.empty()) value->fail("there are no presets here");
-  return value->choice(row_names(presets));
+std::string read_preset(const JsonValue& value, std::span<const ParamPreset> presets) {
+  if (presets.empty()) value.fail("there are no presets here");
+  return value.choice(row_names(presets));
 }
 
-RandomViewsRequest read_random_views(JsonObject object) {
+RandomViewsRequest read_random_views(const JsonValue& value, ProblemList& problems) {
+  KeyReader keys(value, problems);
   RandomViewsRequest request;
-  request.count = int(object.at("count").integer(1, kMaxRandomViews));
-  if (const auto seed = object.find("seed")) request.seed = std::uint64_t(seed->integer(0));
-  if (const auto fov = object.find("fov")) request.fov = fov->number(1, 170);
-  object.finish();
+  keys.required("count", [&](const JsonValue& v) { request.count = int(v.integer(1, kMaxRandomViews)); });
+  keys.optional("seed", [&](const JsonValue& v) { request.seed = std::uint64_t(v.integer(0)); });
+  keys.optional("fov", [&](const JsonValue& v) { request.fov = v.number(1, 170); });
+  keys.finish();
   return request;
 }
 
-std::vector<View> read_inline_views(const JsonValue& list) {
+std::vector<View> read_inline_views(const JsonValue& list, ProblemList& problems) {
+  const std::vector<JsonValue> items = list.items();
+  if (items.empty()) list.fail("needs at least one view");
   std::vector<View> views;
   UniqueNames names("the view");
-  for (const auto& item : list.items()) {
-    views.push_back(read_view(item));
-    names.add(views.back().name, item);
-  }
-  if (views.empty()) list.fail("needs at least one view");
+  for (const auto& item : items)
+    collect(problems, [&] {
+      views.push_back(read_view(item));
+      names.add(views.back().name, item);
+    });
   return views;
 }
 
-std::vector<std::string> read_view_names(const JsonValue& list) {
+std::vector<std::string> read_view_names(const JsonValue& list, ProblemList& problems) {
+  const std::vector<JsonValue> items = list.items();
+  if (items.empty()) list.fail("needs at least one view");
   std::vector<std::string> result;
   UniqueNames names("the view");
-  for (const auto& item : list.items()) {
-    if (!item.is_string()) item.fail("must be the name of a view in 'cameras'");
-    result.push_back(item.text());
-    names.add(result.back(), item);
-  }
-  if (result.empty()) list.fail("needs at least one view");
+  for (const auto& item : items)
+    collect(problems, [&] {
+      if (!item.is_string()) item.fail("must be the name of a view in 'cameras'");
+      result.push_back(item.text());
+      names.add(result.back(), item);
+    });
   return result;
 }
 
-JobViews read_views(JsonObject& object, const std::filesystem::path& base) {
-  const auto cameras = object.find("cameras");
-  const auto views = object.find("views");
-  const auto random = object.find("random");
-  if (random ? cameras || views : !cameras && !views)
-    object.fail("needs 'cameras' (with the names of some 'views' or without), 'views' or 'random'");
-  if (cameras)
-    return CameraScript{resolve_path(cameras->text(), base, cameras->where()),
-                        views ? read_view_names(*views) : std::vector<std::string>()};
-  if (views) return read_inline_views(*views);
-  return read_random_views(random->object());
+JobViews read_views(KeyReader& keys, const JobReading& reading) {
+  const bool scripted = keys.has("cameras"), listed = keys.has("views"), drawn = keys.has("random");
+  if (drawn ? scripted || listed : !scripted && !listed)
+    keys.fail("needs 'cameras' (with the names of some 'views' or without), 'views' or 'random'");
+  JobViews views;
+  CameraScript script;
+  keys.optional("cameras",
+                [&](const JsonValue& v) { script.file = resolve_path(v.text(), reading.base, v.where()); });
+  keys.optional("views", [&](const JsonValue& v) {
+    if (scripted)
+      script.names = read_view_names(v, reading.problems);
+    else
+      views = read_inline_views(v, reading.problems);
+  });
+  keys.optional("random", [&](const JsonValue& v) { views = read_random_views(v, reading.problems); });
+  if (scripted) views = script;
+  return views;
 }
 
-JobSequence read_sequence(JsonObject object) {
+JobSequence read_sequence(const JsonValue& value, ProblemList& problems) {
+  KeyReader keys(value, problems);
   JobSequence sequence;
-  if (const auto start = object.find("start")) sequence.start = read_time(*start);
-  sequence.frames = int(object.at("frames").integer(2, kMaxFrames));
-  sequence.rate = object.at("rate").number(kMinFrameRate, kMaxFrameRate);
+  keys.optional("start", [&](const JsonValue& v) { sequence.start = read_time(v); });
+  keys.required("frames", [&](const JsonValue& v) { sequence.frames = int(v.integer(2, kMaxFrames)); });
+  keys.required("rate", [&](const JsonValue& v) { sequence.rate = v.number(kMinFrameRate, kMaxFrameRate); });
   if (std::abs(sequence.start + (sequence.frames - 1) / sequence.rate) > kLargestTime)
-    object.fail(fmt::format("the last frame must be at most at {:.0f} seconds", kLargestTime));
-  object.finish();
+    keys.fail(fmt::format("the last frame must be at most at {:.0f} seconds", kLargestTime));
+  keys.finish();
   return sequence;
 }
 
-std::vector<ParamValue> read_sweep_values(const ParamSpec& spec, const JsonValue& list) {
+std::vector<ParamValue> read_sweep_values(const ParamSpec& spec, const JsonValue& list,
+                                          ProblemList& problems) {
+  const std::vector<JsonValue> items = list.items();
+  if (items.empty()) list.fail("a sweep needs at least one value");
   std::vector<ParamValue> values;
   std::set<std::string> seen;
-  for (const auto& item : list.items()) {
-    values.push_back(read_param(spec, item));
-    if (!seen.insert(to_text(values.back())).second) item.fail("stands twice in the sweep");
-  }
-  if (values.empty()) list.fail("a sweep needs at least one value");
+  for (const auto& item : items)
+    collect(problems, [&] {
+      values.push_back(read_param(spec, item));
+      if (!seen.insert(to_text(values.back())).second) item.fail("stands twice in the sweep");
+    });
   return values;
 }
 
-void read_sweep(JsonObject object, const Technique& technique, JobVariant& variant) {
+void read_sweep(const JsonValue& value, const Technique& technique, ProblemList& problems,
+                JobVariant& variant) {
+  KeyReader keys(value, problems);
   for (const auto& spec : technique.params)
-    if (is_path_param(spec) && object.has(spec.name))
-      object.fail(fmt::format("'{}' is a path and cannot be swept: name a variant for each", spec.name));
-  for (const auto& key : object.keys())
-    if (variant.params.contains(key)) object.fail(fmt::format("'{}' stands in 'params' too", key));
-  for (const auto& spec : technique.params)
-    if (const auto list = object.find(spec.name))
-      variant.sweep.emplace_back(spec.name, read_sweep_values(spec, *list));
-  object.finish();
+    keys.optional(spec.name, [&](const JsonValue& list) {
+      if (is_path_param(spec))
+        value.fail(fmt::format("'{}' is a path and cannot be swept: name a variant for each", spec.name));
+      if (variant.params.contains(spec.name))
+        value.fail(fmt::format("'{}' stands in 'params' too", spec.name));
+      variant.sweep.emplace_back(spec.name, read_sweep_values(spec, list, problems));
+    });
+  keys.finish();
 }
 
 }  // namespace
@@ -138,50 +154,58 @@ std::string name_of_file(const std::filesystem::path& file, const std::string& w
 }
 
 JobScene read_scene(const JsonValue& value, const JobReading& reading) {
-  JsonObject object = value.object();
+  KeyReader keys(value, reading.problems);
   JobScene scene;
-  const JsonValue path = object.at("scene");
-  scene.as_written = path.text();
-  scene.file = resolve_path(scene.as_written, reading.base, path.where());
-  const auto name = object.find("name");
-  scene.name = name ? read_name(*name, reading.longest_name) : name_of_file(scene.file, path.where());
-  scene.views = read_views(object, reading.base);
-  if (const auto sequence = object.find("sequence")) scene.sequence = read_sequence(sequence->object());
-  object.finish();
+  keys.required("scene", [&](const JsonValue& v) {
+    scene.as_written = v.text();
+    scene.file = resolve_path(scene.as_written, reading.base, v.where());
+    if (!keys.has("name")) scene.name = name_of_file(scene.file, v.where());
+  });
+  keys.optional("name", [&](const JsonValue& v) { scene.name = read_name(v, reading.longest_name); });
+  scene.views = read_views(keys, reading);
+  keys.optional("sequence", [&](const JsonValue& v) { scene.sequence = read_sequence(v, reading.problems); });
+  keys.finish();
   return scene;
 }
 
 JobVariant read_variant(const JsonValue& value, const JobReading& reading) {
-  JsonObject object = value.object();
+  KeyReader keys(value, reading.problems);
   JobVariant variant;
-  const JsonValue technique_name = object.at("technique");
-  const Technique& technique = find_technique(technique_name.text(), technique_name.where());
-  variant.technique = technique.name;
-  const auto name = object.find("name");
-  variant.name = name ? read_name(*name, reading.longest_name) : technique.name;
-  variant.preset = read_preset(object, technique.presets);
-  if (const auto params = object.find("params"))
-    variant.params = read_params(params->object(), technique.params, reading.base);
-  if (const auto sweep = object.find("sweep")) read_sweep(sweep->object(), technique, variant);
-  add_default_paths(technique.params, reading.base, variant.params);
-  object.finish();
+  const Technique* technique = nullptr;  // without it nobody knows what its parameters are
+  keys.required("technique", [&](const JsonValue& v) { technique = &find_technique(v.text(), v.where()); });
+  if (technique) variant.name = variant.technique = technique->name;
+  keys.optional("name", [&](const JsonValue& v) { variant.name = read_name(v, reading.longest_name); });
+  keys.optional("preset", [&](const JsonValue& v) {
+    if (technique) variant.preset = read_preset(v, technique->presets);
+  });
+  keys.optional("params", [&](const JsonValue& v) {
+    if (technique) variant.params = read_params(v, technique->params, reading);
+  });
+  keys.optional("sweep", [&](const JsonValue& v) {
+    if (technique) read_sweep(v, *technique, reading.problems, variant);
+  });
+  if (technique) add_default_paths(technique->params, reading.base, variant.params);
+  keys.finish();
   return variant;
 }
 
 JobReference read_reference(const JsonValue& value, const JobReading& reading) {
-  JsonObject object = value.object();
+  KeyReader keys(value, reading.problems);
   JobReference reference;
-  const JsonValue kind_name = object.at("kind");
-  const ReferenceKind& kind = find_reference_kind(kind_name.text(), kind_name.where());
-  reference.kind = kind.name;
-  const auto name = object.find("name");
-  reference.name = name ? read_name(*name, reading.longest_name) : kind.name;
-  reference.preset = read_preset(object, kind.presets);
-  if (const auto params = object.find("params"))
-    reference.params = read_params(params->object(), kind.params, reading.base);
-  if (const auto timeout = object.find("timeout"))
-    reference.timeout = std::chrono::milliseconds(std::llround(timeout->number(0.1, 1e7) * 1000));
-  object.finish();
+  const ReferenceKind* kind = nullptr;
+  keys.required("kind", [&](const JsonValue& v) { kind = &find_reference_kind(v.text(), v.where()); });
+  if (kind) reference.name = reference.kind = kind->name;
+  keys.optional("name", [&](const JsonValue& v) { reference.name = read_name(v, reading.longest_name); });
+  keys.optional("preset", [&](const JsonValue& v) {
+    if (kind) reference.preset = read_preset(v, kind->presets);
+  });
+  keys.optional("params", [&](const JsonValue& v) {
+    if (kind) reference.params = read_params(v, kind->params, reading);
+  });
+  keys.optional("timeout", [&](const JsonValue& v) {
+    reference.timeout = std::chrono::milliseconds(std::llround(v.number(0.1, 1e7) * 1000));
+  });
+  keys.finish();
   return reference;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/json_reader.h"
 #include "pipeline/job.h"
+#include "scene/problem_list.h"
 
 /// The parts of a job file that say what is rendered: scenes, variants, references.
 namespace lightbench {
@@ -14,6 +15,7 @@ namespace lightbench {
 struct JobReading {
   std::filesystem::path base;  ///< the folder that relative paths are taken from
   std::size_t longest_name;    ///< bytes
+  ProblemList& problems;       ///< what is wrong; the rest is read all the same
 };
 
 /// Throws where a name stands twice.
@@ -32,6 +34,7 @@ class UniqueNames {
 /// The name of what is named after its file where it has none of its own. Throws Error where that is no name.
 std::string name_of_file(const std::filesystem::path& file, const std::string& where);
 
+/// What has a problem is not to be used. They throw Error where the value is no object.
 JobScene read_scene(const JsonValue& value, const JobReading& reading);
 JobVariant read_variant(const JsonValue& value, const JobReading& reading);
 JobReference read_reference(const JsonValue& value, const JobReading& reading);

@@ -25,7 +25,9 @@ const ReferenceKind& find_reference_kind(const std::string& name, const std::str
   const auto found =
       std::find_if(kinds.begin(), kinds.end(), [&](const auto& kind) { return kind.name == name; });
   if (found != kinds.end()) return *found;
-  throw Error("unknown reference kind '" + name + "'" + did_you_mean(name, row_names(kinds)), where);
+  throw Error("unknown reference kind '" + name + "'" + did_you_mean(name, row_names(kinds)) +
+                  "; there are: " + join(row_names(kinds), ", "),
+              where);
 }
 
 }  // namespace lightbench

@@ -18,6 +18,7 @@
 #include "pipeline/gather.h"
 #include "pipeline/inspect.h"
 #include "pipeline/kept_files.h"
+#include "pipeline/own_folder.h"
 #include "pipeline/plan_file.h"
 #include "pipeline/progress.h"
 #include "pipeline/run_folder.h"
@@ -80,7 +81,8 @@ void check_retry(const Job& job, const RunOptions& options) {
                 "--retry-failed");
 }
 
-/// Returns the run's folder, after making sure that no file of the run would replace what the job names.
+/// Returns the run's folder, after making sure that no file of the run would replace what the job names, nor
+/// stand among files of others.
 std::filesystem::path checked_folder(const Job& job, const RunOptions& options) {
   const auto out = run_folder(job, options.out);
   std::vector<NamedFile> outputs = run_files(out);
@@ -88,6 +90,7 @@ std::filesystem::path checked_folder(const Job& job, const RunOptions& options) 
     if (std::holds_alternative<RandomViewsRequest>(scene.views))
       outputs.push_back({"the views drawn of scene '" + scene.name + "'", out / stored_cameras(scene)});
   check_outputs(outputs, job_files(job));
+  check_own_folder(out);
   return out;
 }
 

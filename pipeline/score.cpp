@@ -84,6 +84,24 @@ Score compute_score(const ScoreRequest& request) {
   return score;
 }
 
+namespace {
+
+nlohmann::ordered_json box_json(const PixelBox& box) {
+  return {{"x", box.x}, {"y", box.y}, {"width", box.width}, {"height", box.height}};
+}
+
+/// In pixels from the top left corner.
+void add_place(const ErrorPlace& place, nlohmann::ordered_json& json) {
+  json["differing_pixels"] = place.differing;
+  auto& largest = json["largest_error"] = {{"error", place.largest}, {"x", place.x}, {"y", place.y}};
+  largest["region"] = box_json(place.region);
+  largest["region"]["pixels"] = place.region_pixels;
+  json["worst_block"] = box_json(place.block.box);
+  json["worst_block"]["mean_error"] = place.block.mean_error;
+}
+
+}  // namespace
+
 std::string score_json(const Score& score) {
   nlohmann::ordered_json json = {{"format", 1}, {"object_pixels", score.masked_pixels}};
   for (const auto& [name, value] : score.metrics) {
@@ -92,6 +110,7 @@ std::string score_json(const Score& score) {
     else
       json["metrics"][name] = {{"undefined", value.undefined_because}};
   }
+  if (score.place) add_place(*score.place, json);
   return json_text(json, 2) + "\n";
 }
 

@@ -2,11 +2,13 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/image.h"
 #include "reports/difference_image.h"
+#include "reports/error_place.h"
 #include "reports/metric.h"
 
 namespace lightbench {
@@ -31,13 +33,14 @@ struct Score {
   std::size_t masked_pixels = 0;  ///< that masked metrics look at
   bool identical = false;         ///< whether image and reference agree in every pixel
   std::map<std::string, MetricValue> metrics = {};
+  std::optional<ErrorPlace> place = {};  ///< as `compare` tells it; `compute_score` leaves it out
 };
 
 /// Reads the images on the 0..255 scale and computes the metrics. A metric that needs a baseline where there
 /// is none is undefined. Throws Error for unreadable images, NaN, and other sizes.
 Score compute_score(const ScoreRequest& request);
 
-/// The metrics and the number of masked pixels as JSON.
+/// The metrics, the number of masked pixels and the place of the largest error, if there is one, as JSON.
 std::string score_json(const Score& score);
 
 }  // namespace lightbench

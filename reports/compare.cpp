@@ -55,8 +55,10 @@ std::vector<std::string> chosen_metrics(const CompareOptions& options) {
   for (const std::string& name : options.metrics) find_metric(name, "--metric");
   if (!options.metrics.empty()) return options.metrics;
   std::vector<std::string> names;
-  for (const std::string& name : default_metrics())
-    if (!find_metric(name, "").needs_baseline || !options.baseline.empty()) names.push_back(name);
+  for (const Metric& metric : metrics())
+    if (!metric.needs_ambient_fit && !metric.needs_previous &&
+        (!metric.needs_baseline || !options.baseline.empty()))
+      names.push_back(metric.name);
   return names;
 }
 
@@ -93,7 +95,8 @@ CompareResult compare_files(const CompareOptions& options) {
                        .height = reference.height,
                        .metrics = {},
                        .mask_pixels = 0,
-                       .mask_source = mask.source};
+                       .mask_source = mask.source,
+                       .place = find_error(reference, image)};
   result.mask_pixels =
       std::size_t(std::ranges::count_if(mask.pixels, [](std::uint8_t counts) { return counts != 0; }));
   const auto values =

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "reports/error_place.h"
 #include "reports/metric.h"
 
 namespace lightbench {
@@ -14,7 +15,7 @@ struct CompareOptions {
   std::filesystem::path image{};
   std::filesystem::path baseline{};    ///< may be empty: then metrics that need one are undefined
   std::filesystem::path mask{};        ///< for masked metrics; empty: the reference's alpha, if it has one
-  std::vector<std::string> metrics{};  ///< empty: all, but those that need a baseline where there is none
+  std::vector<std::string> metrics{};  ///< empty: all that need no more than is given
   std::filesystem::path difference{};  ///< a PNG to write; empty: none
   std::filesystem::path heat{};        ///< the same
   double heat_scale = 64;              ///< of 255: the error at the end of the heat map's bar
@@ -25,7 +26,8 @@ struct CompareResult {
   int height = 0;
   std::vector<std::pair<std::string, MetricValue>> metrics;  ///< in the order asked for
   std::size_t mask_pixels = 0;                               ///< that masked metrics were computed over
-  std::string mask_source;  ///< "all pixels", "alpha of FILE", or the mask's file
+  std::string mask_source;          ///< "all pixels", "alpha of FILE", or the mask's file
+  std::optional<ErrorPlace> place;  ///< where the colours differ most, if they do
 };
 
 /// Compares on the 0..255 scale of 8-bit sRGB. A mask file counts where its alpha is at least one half; one

@@ -55,6 +55,7 @@ struct Metric {
   bool needs_ambient_fit =
       false;  ///< of the baseline's light and albedo; such metrics are computed on request only
   bool needs_previous = false;  ///< of the frame before; such metrics are computed where a job has sequences
+  bool on_request = false;      ///< a job computes it where it names it, so that its other numbers stay alike
   bool masked = false;          ///< computed over the mask's pixels where one is given
   NoiseUnit noise_unit = NoiseUnit::none;
   int version = 1;   ///< goes up whenever the same images may give another number
@@ -63,13 +64,13 @@ struct Metric {
 };
 
 std::span<const Metric> metrics();
-/// The names of those that are computed unless others are asked for.
+/// The names of those that a job computes unless it asks for others.
 std::vector<std::string> default_metrics();
 /// Those that look at the frame before: a job with sequences has them beside the default ones.
 std::vector<std::string> sequence_metrics();
 bool needs_ambient_fit(const std::vector<std::string>& metrics);
 bool needs_previous(const std::vector<std::string>& metrics);
-/// Throws Error(..., where) for an unknown name, with the nearest known one.
+/// Throws Error(..., where) for an unknown name, with the nearest known one and all that there are.
 const Metric& find_metric(const std::string& name, const std::string& where);
 
 /// The named metrics of one pair. A metric that needs a baseline, or the frame before, where there is none is

@@ -4,9 +4,11 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "reports/metric.h"
+#include "reports/metrics/block_error.h"
 #include "reports/metrics/closeness.h"
 #include "reports/metrics/flicker.h"
 #include "reports/metrics/gain.h"
+#include "reports/metrics/local_error.h"
 #include "reports/metrics/luminance_error.h"
 #include "reports/metrics/luv.h"
 #include "reports/metrics/mean_error.h"
@@ -119,6 +121,36 @@ std::span<const Metric> metrics() {
        .masked = true,
        .decimals = 3,
        .compute = flicker},
+      {.name = "max_error",
+       .doc = "largest absolute difference over all pixels and components: one broken pixel is enough",
+       .unit = "of 255",
+       .better = Better::lower,
+       .on_request = true,
+       .decimals = 0,
+       .compute = max_error},
+      {.name = "p99_error",
+       .doc = "error that 99 % of the pixels do not exceed; a pixel's is its largest component's",
+       .unit = "of 255",
+       .better = Better::lower,
+       .on_request = true,
+       .decimals = 0,
+       .compute = p99_error},
+      {.name = "bad_pixels",
+       .doc = "share of pixels, in percent, with a component that is off by more than 8 of 255",
+       .unit = "%",
+       .better = Better::lower,
+       .on_request = true,
+       .decimals = 4,
+       .compute = bad_pixels},
+      {.name = "block_error",
+       .doc =
+           "largest mean error of any block of 16 x 16 pixels: finds a broken patch among single pixels that "
+           "are off",
+       .unit = "of 255",
+       .better = Better::lower,
+       .on_request = true,
+       .decimals = 3,
+       .compute = block_error},
   };
   return table;
 }
@@ -126,7 +158,8 @@ std::span<const Metric> metrics() {
 std::vector<std::string> default_metrics() {
   std::vector<std::string> names;
   for (const Metric& metric : metrics())
-    if (!metric.needs_ambient_fit && !metric.needs_previous) names.push_back(metric.name);
+    if (!metric.on_request && !metric.needs_ambient_fit && !metric.needs_previous)
+      names.push_back(metric.name);
   return names;
 }
 
@@ -153,7 +186,9 @@ const Metric& find_metric(const std::string& name, const std::string& where) {
     if (metric.name == name) return metric;
     known.push_back(metric.name);
   }
-  throw Error("unknown metric '" + name + "'" + did_you_mean(name, known), where);
+  throw Error(
+      "unknown metric '" + name + "'" + did_you_mean(name, known) + "; there are: " + join(known, ", "),
+      where);
 }
 
 namespace {

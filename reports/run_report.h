@@ -124,10 +124,22 @@ enum class GateState {
 };
 inline constexpr const char* kGateStateNames[] = {"met", "not met", "within noise", "not judged"};
 
+/// How a gate that holds for each view came out on one of them.
+struct ReportGateView {
+  std::string scene;
+  std::string view;
+  std::string variant;  ///< where the gate is about several; else empty
+  GateState state = GateState::not_met;
+  std::string detail;
+};
+
 struct ReportGate {
   std::string text;  ///< as the job wrote it
   GateState state = GateState::not_met;
-  std::string detail;  ///< the value, or where and why it failed or was not judged
+  std::string detail;  ///< the value, or where and why it failed or was not judged; the worst view first
+  std::string
+      name{};  ///< without the bounds' numbers, unique in the run: for histories, in which these change
+  std::vector<ReportGateView> views{};  ///< of a gate that holds for each view
 };
 
 struct RunReport {

@@ -123,10 +123,21 @@ void visit(Archive& archive, T& object) requires std::is_same_v<std::remove_cons
 }
 
 template <typename Archive, typename T>
+void visit(Archive& archive, T& view) requires std::is_same_v<std::remove_const_t<T>, ReportGateView> {
+  archive.required("scene", view.scene);
+  archive.required("view", view.view);
+  archive.optional("variant", view.variant);
+  archive.required("state", view.state);
+  archive.optional("detail", view.detail);
+}
+
+template <typename Archive, typename T>
 void visit(Archive& archive, T& gate) requires std::is_same_v<std::remove_const_t<T>, ReportGate> {
   archive.required("text", gate.text);
+  archive.optional("name", gate.name);
   archive.required("state", gate.state);
   archive.optional("detail", gate.detail);
+  archive.optional("views", gate.views);
 }
 
 template <typename Archive, typename T>

@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::size_t kListed = 10;
 
-/// "12" or, where some failed, "10 of 12".
-std::string scored_views(const std::vector<const ReportScore*>& scores) {
-  const auto ok = std::ranges::count(scores, Outcome::ok, &ReportScore::outcome);
-  return std::size_t(ok) == scores.size() ? std::to_string(ok) : fmt::format("{} of {}", ok, scores.size());
-}
-
 std::string mean_text(const RunReport& report, const std::string& metric, const std::string& variant,
                       const std::string& reference) {
   const MetricValue mean = mean_metric(report, metric, variant, reference).mean;
@@ -46,7 +40,7 @@ std::vector<std::string> summary_row(const RunReport& report, const std::string&
                                      const std::string& reference, const std::string& leading) {
   const auto scores = worst_first(report, leading, variant, reference);
   const std::string mark = variant == report.baseline ? " (baseline)" : "";
-  std::vector<std::string> row{name_cell(variant) + mark, name_cell(reference), scored_views(scores)};
+  std::vector<std::string> row{name_cell(variant) + mark, name_cell(reference), measured_text(scores)};
   for (const std::string& name : report.metric_names)
     row.push_back(mean_text(report, name, variant, reference));
   if (leading.empty()) return row;

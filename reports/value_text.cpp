@@ -146,6 +146,12 @@ std::vector<const ReportScore*> worst_first(const RunReport& report, const std::
   return scores;
 }
 
+std::string measured_text(const std::vector<const ReportScore*>& scores) {
+  const auto made = std::ranges::count(scores, Outcome::ok, &ReportScore::outcome);
+  return std::size_t(made) == scores.size() ? std::to_string(made)
+                                            : fmt::format("{} of {}", made, scores.size());
+}
+
 std::string leading_metric(const RunReport& report) {
   if (report.metric_names.empty()) return "";
   const bool has_gain = std::ranges::find(report.metric_names, "gain") != report.metric_names.end();

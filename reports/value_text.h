@@ -64,6 +64,9 @@ std::string verdict_text(const RunCounts& counts);
 std::vector<const ReportScore*> worst_first(const RunReport& report, const std::string& metric,
                                             const std::string& variant, const std::string& reference);
 
+/// How many of these scores were made: "12", or "10 of 12" where some failed or were not asked for.
+std::string measured_text(const std::vector<const ReportScore*>& scores);
+
 /// "gain" where the run has it, else its first metric; empty where it has none.
 std::string leading_metric(const RunReport& report);
 

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "reports/gate_bounds.h"
 #include "reports/gate_samples.h"
+#include "reports/gate_views.h"
 
 namespace lightbench {
 namespace {
@@ -15,40 +18,19 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Judgement {
   bool passed = false;
-  std::string detail;
+  double excess = kInfinity;  ///< of the worst view, or of their mean
+  std::string detail{};
   std::string noise{};  ///< why it is met by too little to be sure
+};
+
+/// What is said of one view or variant, and how bad it is.
+struct Remark {
+  double badness;
+  std::string text;
 };
 
 std::string place(const ReportScore& score) {
   return score.scene + "/" + score.view;
-}
-
-std::string number(double value) {
-  return fmt::format("{:.6g}", value);
-}
-
-std::string bounds_text(const Gate& gate) {
-  if (gate.min && gate.max) return fmt::format("in {}..{}", number(*gate.min), number(*gate.max));
-  if (gate.min) return ">= " + number(*gate.min);
-  return gate.max ? "<= " + number(*gate.max) : "without bounds";
-}
-
-/// By how much a value is outside the bounds; negative inside.
-double excess(const Gate& gate, double value) {
-  const double below = gate.min ? *gate.min - value : -kInfinity;
-  const double above = gate.max ? value - *gate.max : -kInfinity;
-  return std::max(below, above);
-}
-
-bool within(const Gate& gate, double value) {
-  return (!gate.min || value >= *gate.min) && (!gate.max || value <= *gate.max);
-}
-
-/// The bound that `value` breaks, or would break first.
-std::string bound_of(const Gate& gate, double value) {
-  if (gate.min && value < *gate.min) return fmt::format(", below {}", number(*gate.min));
-  if (gate.max && value > *gate.max) return fmt::format(", above {}", number(*gate.max));
-  return "";
 }
 
 /// "a; b; c; and 4 more": a detail stays one readable line.
@@ -61,6 +43,14 @@ std::string some_of(const std::vector<std::string>& items) {
   return text;
 }
 
+/// The same with the worst first.
+std::string some_of(std::vector<Remark> remarks) {
+  std::ranges::stable_sort(remarks, std::ranges::greater{}, &Remark::badness);
+  std::vector<std::string> texts;
+  for (Remark& remark : remarks) texts.push_back(std::move(remark.text));
+  return some_of(texts);
+}
+
 std::string views(std::size_t count) {
   return count == 1 ? "1 view" : fmt::format("{} views", count);
 }
@@ -69,36 +59,32 @@ Judgement judge_mean(const Gate& gate, const std::vector<GateSample>& samples) {
   double sum = 0;
   for (const GateSample& sample : samples) sum += *sample.value.value;
   const double mean = sum / double(samples.size());
-  return {within(gate, mean),
-          fmt::format("{} mean of {}{}", number(mean), views(samples.size()), bound_of(gate, mean))};
+  return {within(gate, mean), excess(gate, mean),
+          fmt::format("{} mean of {}{}", gate_number(mean), views(samples.size()),
+                      broken_bound_text(gate, mean))};
 }
 
 Judgement judge_worst(const Gate& gate, const std::vector<GateSample>& samples) {
   const GateSample& worst = *std::ranges::max_element(
       samples, {}, [&](const GateSample& sample) { return excess(gate, *sample.value.value); });
   const double value = *worst.value.value;
-  return {within(gate, value), fmt::format("{} on {}, the worst of {}{}", number(value), place(*worst.score),
-                                           views(samples.size()), bound_of(gate, value))};
+  return {within(gate, value), excess(gate, value),
+          fmt::format("{} on {}, the worst of {}{}", gate_number(value), place(*worst.score),
+                      views(samples.size()), broken_bound_text(gate, value))};
 }
 
 Judgement judge_each(const Gate& gate, const std::vector<GateSample>& samples) {
-  std::vector<std::string> broken;
+  const Judgement worst = judge_worst(gate, samples);
+  std::vector<Remark> broken;
   for (const GateSample& sample : samples)
-    if (!within(gate, *sample.value.value))
-      broken.push_back(fmt::format("{} on {}{}", number(*sample.value.value), place(*sample.score),
-                                   bound_of(gate, *sample.value.value)));
-  if (!broken.empty())
-    return {false, fmt::format("{} of {}: {}", broken.size(), views(samples.size()), some_of(broken))};
-  return {true, "all met; " + judge_worst(gate, samples).detail};
-}
-
-/// The difference of errors, of 255, that keeps a sample within the bounds.
-double margin(const Gate& gate, const GateSample& sample) {
-  return -excess(gate, *sample.value.value) * *sample.unit;
-}
-
-std::string within_noise_text(double margin, double noise) {
-  return fmt::format("by {} of 255, less than the reference's noise of {}", number(margin), number(noise));
+    if (const double value = *sample.value.value; !within(gate, value))
+      broken.push_back(
+          {excess(gate, value), fmt::format("{} on {}{}", gate_number(value), place(*sample.score),
+                                            broken_bound_text(gate, value))});
+  if (broken.empty()) return {true, worst.excess, "all met; " + worst.detail};
+  const std::size_t count = broken.size();
+  return {false, worst.excess,
+          fmt::format("{} of {}: {}", count, views(samples.size()), some_of(std::move(broken)))};
 }
 
 /// Which difference is smaller than the noise, or nothing. Samples of which neither is known do not count.
@@ -114,11 +100,12 @@ std::string within_noise(const Gate& gate, std::vector<GateSample> samples) {
     const double count = double(samples.size());
     return margins < noise ? within_noise_text(margins / count, noise / count) : "";
   }
-  std::vector<std::string> found;
+  std::vector<Remark> found;
   for (const GateSample& sample : samples)
-    if (margin(gate, sample) < *sample.noise)
-      found.push_back(place(*sample.score) + " " + within_noise_text(margin(gate, sample), *sample.noise));
-  return some_of(found);
+    if (is_within_noise(gate, sample))
+      found.push_back({-margin(gate, sample),
+                       place(*sample.score) + " " + within_noise_text(margin(gate, sample), *sample.noise)});
+  return some_of(std::move(found));
 }
 
 Judgement judge_values(const Gate& gate, const std::vector<GateSample>& samples) {
@@ -130,7 +117,7 @@ Judgement judge_values(const Gate& gate, const std::vector<GateSample>& samples)
     case Gate::Over::worst:
       return judge_worst(gate, samples);
   }
-  return {false, "unknown kind of gate"};
+  return {.detail = "unknown kind of gate"};
 }
 
 Judgement judge(const Gate& gate, const std::vector<GateSample>& samples) {
@@ -139,7 +126,7 @@ Judgement judge(const Gate& gate, const std::vector<GateSample>& samples) {
     if (!sample.value.value)
       without_number.push_back(
           fmt::format("{} has no {}: {}", place(*sample.score), gate.metric, sample.value.undefined_because));
-  if (!without_number.empty()) return {false, some_of(without_number)};
+  if (!without_number.empty()) return {.detail = some_of(without_number)};
   Judgement judgement = judge_values(gate, samples);
   if (judgement.passed) judgement.noise = within_noise(gate, samples);
   return judgement;
@@ -152,7 +139,8 @@ bool has_numbers(const std::vector<GateSample>& samples) {
 
 /// How a gate came out for each variant that it is about.
 struct Findings {
-  std::vector<std::string> met, not_met, not_judged, uncertain;
+  std::vector<Remark> met, not_met;
+  std::vector<std::string> not_judged, uncertain;
 
   void add(const Gate& gate, const GateSamples& samples, bool partial, const std::string& who);
   ReportGate summed_up(ReportGate gate) const;
@@ -170,7 +158,7 @@ void Findings::add(const Gate& gate, const GateSamples& samples, bool partial, c
   if (!whole && may_change)
     return not_judged.push_back(fmt::format("{}measured on {} of {} only: {}", who, samples.made.size(),
                                             views(all), judgement.detail));
-  (judgement.passed ? met : not_met).push_back(who + judgement.detail);
+  (judgement.passed ? met : not_met).push_back({judgement.excess, who + judgement.detail});
   if (!judgement.noise.empty()) uncertain.push_back(who + judgement.noise);
 }
 
@@ -193,30 +181,50 @@ ReportGate Findings::summed_up(ReportGate gate) const {
 ReportGate evaluate(const Gate& gate, const RunReport& report, const GateSampler& sampler) {
   ReportGate result;
   result.text = gate.as_written.empty() ? describe(gate) : gate.as_written;
+  result.name = gate_name(gate);
   if (!gate.min && !gate.max) {
     result.detail = "the gate has neither a lower nor an upper bound";
     return result;
   }
   Findings findings;
+  GateViews views(gate);
   for (const ReportImageSource& variant : report.variants) {
     if (variant.name != gate.variant && !matches_glob(variant.name, gate.variant)) continue;
     const GateSamples samples = sampler.samples_of(gate, variant.name);
     if (samples.made.empty() && samples.missing.empty()) continue;
     findings.add(gate, samples, report.partial, variant.name == gate.variant ? "" : variant.name + ": ");
+    if (gate.over == Gate::Over::each) views.add(samples, variant.name);
   }
+  result.views = std::move(views).worst_first();
   return findings.summed_up(std::move(result));
+}
+
+}  // namespace
+
+namespace {
+
+/// What a gate is about besides its metric and variant.
+std::string scope_text(const Gate& gate) {
+  std::string text;
+  if (!gate.reference.empty()) text += " against " + gate.reference;
+  if (!gate.scene.empty()) text += ", scene " + gate.scene;
+  if (!gate.view.empty()) text += ", view " + gate.view;
+  return text;
 }
 
 }  // namespace
 
 std::string describe(const Gate& gate) {
   static constexpr const char* kOver[] = {"each", "mean", "worst"};
-  std::string text = fmt::format("{} {} of {} {}", kOver[static_cast<std::size_t>(gate.over)], gate.metric,
-                                 gate.variant, bounds_text(gate));
-  if (!gate.reference.empty()) text += " against " + gate.reference;
-  if (!gate.scene.empty()) text += ", scene " + gate.scene;
-  if (!gate.view.empty()) text += ", view " + gate.view;
-  return text;
+  return fmt::format("{} {} of {} {}{}", kOver[static_cast<std::size_t>(gate.over)], gate.metric,
+                     gate.variant, bounds_text(gate), scope_text(gate));
+}
+
+std::string gate_name(const Gate& gate) {
+  static constexpr const char* kOver[] = {"each view", "mean", "worst view"};
+  return fmt::format("{} of {}{}, {}{}{}", gate.metric, gate.variant, scope_text(gate),
+                     kOver[static_cast<std::size_t>(gate.over)], gate.min ? ", min" : "",
+                     gate.max ? ", max" : "");
 }
 
 ReportGate evaluate_gate(const Gate& gate, const RunReport& report) {
@@ -226,7 +234,12 @@ ReportGate evaluate_gate(const Gate& gate, const RunReport& report) {
 std::vector<ReportGate> evaluate_gates(std::span<const Gate> gates, const RunReport& report) {
   const GateSampler sampler(report);
   std::vector<ReportGate> results;
-  for (const Gate& gate : gates) results.push_back(evaluate(gate, report, sampler));
+  std::map<std::string, int> named;
+  for (const Gate& gate : gates) {
+    ReportGate& result = results.emplace_back(evaluate(gate, report, sampler));
+    if (const int before = named[result.name]++; before > 0)
+      result.name += fmt::format(" ({})", before + 1);  // as where one bound warns and a wider one fails
+  }
   return results;
 }
 

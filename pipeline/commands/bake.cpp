@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/orphans.h"
 #include "base/stopwatch.h"
+#include "base/utf8.h"
 #include "pipeline/bake_folder.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/number_range.h"
@@ -66,7 +67,8 @@ FolderLock prepare_folder(const std::filesystem::path& folder, const BakeFolder&
 /// A line that is written anew, on a terminal only.
 class ProgressLine {
  public:
-  explicit ProgressLine(const std::string& name) : name_(name), shown_(isatty(STDERR_FILENO) == 1) {}
+  explicit ProgressLine(const std::string& name)
+      : name_(shortened(plain_line(name), 60)), shown_(isatty(STDERR_FILENO) == 1) {}
   ~ProgressLine() {
     if (shown_) std::fprintf(stderr, "\r\x1b[K");
   }

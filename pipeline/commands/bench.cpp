@@ -14,6 +14,7 @@
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/number_range.h"
 #include "pipeline/commands/run_options.h"
+#include "pipeline/commands/usage_errors.h"
 #include "pipeline/concrete.h"
 #include "pipeline/console.h"
 #include "pipeline/inspect.h"
@@ -100,7 +101,7 @@ void add_bench_command(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--only", params->only, "Only what matches this pattern of scene/view/variant");
   command->add_option("--gl", params->gl, "OpenGL back end")
-      ->check(CLI::IsMember({"osmesa", "egl"}))
+      ->check(one_of({"osmesa", "egl"}))
       ->capture_default_str();
   command->add_option("--out", params->out, "Folder of the run, for what is baked; default: out/<job name>")
       ->check(not_empty());

@@ -11,6 +11,7 @@
 #include "pipeline/commands/view_options.h"
 #include "pipeline/console.h"
 #include "pipeline/inspect.h"
+#include "reports/value_text.h"
 #include "scene/camera_script.h"
 #include "scene/motion.h"
 #include "scene/scene_file.h"
@@ -41,7 +42,7 @@ ExitCode run_cameras(const CamerasParams& params) {
     std::printf("%s", text.c_str());
   } else {
     write_file_atomic(params.output, text);
-    say(fmt::format("{}: {} views", params.output, views.size()));
+    say(fmt::format("{}: {}", params.output, counted(views.size(), "view")));
   }
   return ExitCode::ok;
 }
@@ -56,7 +57,9 @@ void add_cameras_command(CLI::App& app, Action& action) {
   command->add_option("--random", params->random, "How many views")
       ->check(number_between(1, 10000))
       ->capture_default_str();
-  command->add_option("--seed", params->seed, "The same seed gives the same views")->capture_default_str();
+  command->add_option("--seed", params->seed, "The same seed gives the same views")
+      ->check(number_between(0, 9007199254740992.0))  // as in a job
+      ->capture_default_str();
   command->add_option("--fov", params->fov, "Vertical field of view, degrees")
       ->check(number_between(1.0, 170.0))
       ->capture_default_str();

@@ -37,6 +37,7 @@ void print_table(const CompareResult& result) {
   }
   std::printf("%zu of %d x %d pixels count in masked metrics (%s)\n", result.mask_pixels, result.width,
               result.height, plain_line(result.mask_source).c_str());
+  std::printf("%s", error_place_text(result.place).c_str());
 }
 
 ExitCode run_compare(const CompareParams& params) {
@@ -50,7 +51,8 @@ ExitCode run_compare(const CompareParams& params) {
                                               .heat_scale = params.heat_scale});
   if (params.json)
     std::printf("%s", score_json({.masked_pixels = result.mask_pixels,
-                                  .metrics = {result.metrics.begin(), result.metrics.end()}})
+                                  .metrics = {result.metrics.begin(), result.metrics.end()},
+                                  .place = result.place})
                           .c_str());
   else
     print_table(result);
@@ -69,8 +71,9 @@ void add_compare_command(CLI::App& app, Action& action) {
       ->required();
   command->add_option("image", params->image, "The picture to judge, of the same size")->required();
   command
-      ->add_option("-m,--metric", params->metrics,
-                   "Which: " + join(row_names(metrics()), ", ") + "; default: all")
+      ->add_option(
+          "-m,--metric", params->metrics,
+          "Which: " + join(row_names(metrics()), ", ") + "; default: all that need no more than is given")
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--baseline", params->baseline, "Picture that gain and quality are measured against");
@@ -86,6 +89,7 @@ void add_compare_command(CLI::App& app, Action& action) {
   command->add_flag("--json", params->json, "Print JSON");
   command->footer(
       R"(Float pictures are compared as the rounded sRGB of their linear values, on the 0..255 scale.
+Besides the metrics it says how many pixels differ, where the largest error is and which block is worst.
 
 Example:
   lightbench compare truth.exr mine.png --metric mean_error,pearson --diff difference.png)");

@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <cstdio>
 
 #include <CLI/CLI.hpp>
 
+#include "base/error.h"
 #include "base/text.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/usage_errors.h"
 #include "pipeline/references.h"
 #include "pipeline/tables.h"
 #include "renderer/technique.h"
@@ -15,6 +18,7 @@ namespace {
 
 struct ListParams {
   std::string what;
+  std::string name;
 };
 
 void print_row(const std::string& name, const std::string& doc) {
@@ -64,12 +68,33 @@ void list_formats() {
   for (const auto& format : report_formats()) print_row(format.name, format.doc);
 }
 
+void list_params_of(const Technique& technique) {
+  print_params(technique.name, technique.params, technique.presets);
+  for (const auto& buffer : technique.buffers) print_row("buffer " + buffer.name, buffer.doc);
+}
+
+void list_params_of(const ReferenceKind& kind) {
+  print_params(kind.name, kind.params, kind.presets);
+}
+
 void list_params() {
-  for (const auto& technique : techniques()) {
-    print_params(technique.name, technique.params, technique.presets);
-    for (const auto& buffer : technique.buffers) print_row("buffer " + buffer.name, buffer.doc);
-  }
-  for (const auto& kind : reference_kinds()) print_params(kind.name, kind.params, kind.presets);
+  for (const auto& technique : techniques()) list_params_of(technique);
+  for (const auto& kind : reference_kinds()) list_params_of(kind);
+}
+
+/// Those of the technique and of the reference that have the name: there may be both.
+void list_params_named(const std::string& name) {
+  std::vector<std::string> names = row_names(techniques());
+  for (const auto& kind : row_names(reference_kinds()))
+    if (std::ranges::find(names, kind) == names.end()) names.push_back(kind);
+  if (std::ranges::find(names, name) == names.end())
+    throw Error("no technique or reference is called '" + name + "'" + did_you_mean(name, names) +
+                    "; there are: " + join(names, ", "),
+                "list params");
+  for (const auto& technique : techniques())
+    if (technique.name == name) list_params_of(technique);
+  for (const auto& kind : reference_kinds())
+    if (kind.name == name) list_params_of(kind);
 }
 
 struct Listing {
@@ -87,6 +112,12 @@ std::span<const Listing> listings() {
 }
 
 ExitCode run_list(const ListParams& params) {
+  if (!params.name.empty()) {
+    if (params.what != "params")
+      throw Error("only 'params' takes the name of a technique or reference", "list");
+    list_params_named(params.name);
+    return ExitCode::ok;
+  }
   for (const auto& listing : listings())
     if (params.what.empty() || params.what == listing.name) listing.print();
   return ExitCode::ok;
@@ -99,8 +130,9 @@ void add_list_command(CLI::App& app, Action& action) {
   auto params = add_command<ListParams>(
       app, "list", "List techniques, metrics, references, formats, parameters", action, run_list, command);
   const auto names = row_names(listings());
-  command->add_option("what", params->what, join(names, ", ") + "; default: all")
-      ->check(CLI::IsMember(names));
+  command->add_option("what", params->what, join(names, ", ") + "; default: all")->check(one_of(names));
+  command->add_option("name", params->name, "With params: of this technique or reference alone");
+  command->footer("Examples:\n  lightbench list metrics\n  lightbench list params isr");
 }
 
 }  // namespace lightbench

@@ -4,8 +4,8 @@
 
 namespace lightbench {
 
-/// What every option that is a number is checked with: finite, and min <= x <= max. (CLI::Range lets NaN
-/// pass.)
+/// What every option that is a number is checked with: finite, decimal, without blanks, and
+/// min <= x <= max. (CLI::Range lets NaN, hexadecimal numbers and blanks before them pass.)
 CLI::Validator number_between(double min, double max);
 
 }  // namespace lightbench

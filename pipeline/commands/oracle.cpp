@@ -8,6 +8,7 @@
 #include "pipeline/job_file.h"
 #include "pipeline/kept_files.h"
 #include "pipeline/oracle_job.h"
+#include "pipeline/own_folder.h"
 
 namespace lightbench {
 namespace {
@@ -31,6 +32,7 @@ ExitCode run_oracle(const OracleParams& params) {
   const RunOptions options = run_options(params.flags);
   const std::filesystem::path out = run_folder(oracle.job, options.out);
   check_inputs_are_kept(oracle.job, out);
+  check_own_folder(out);
   oracle.job.file = out / "oracle.json";  // so that the folder can be scored and run again as it is
   write_file_atomic(oracle.job.file, job_text(oracle.job));
   const ExitCode code = run_job(oracle.job, options);

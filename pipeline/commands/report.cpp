@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "base/text.h"
 #include "pipeline/commands/commands.h"
+#include "pipeline/commands/usage_errors.h"
 #include "pipeline/console.h"
 #include "pipeline/gather.h"
 #include "pipeline/tables.h"
@@ -38,7 +39,7 @@ void add_report_command(CLI::App& app, Action& action) {
   command->add_option("--format", params->formats, "Only these: " + join(names, ", "))
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember(names));
+      ->check(one_of(names));
   command->footer(
       "Exit codes are those of the run.\n\nExample:\n  lightbench report out/cornell --format html,junit");
 }

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/run_options.h"
+#include "pipeline/commands/usage_errors.h"
 #include "pipeline/job_file.h"
 
 namespace lightbench {
@@ -35,7 +36,7 @@ void add_run_command(CLI::App& app, Action& action) {
   command->add_option("--stages", params->stages, "Only these: bake, snapshot, reference, score")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"bake", "snapshot", "reference", "score"}));
+      ->check(one_of({"bake", "snapshot", "reference", "score"}));
   command->add_flag("--retry-failed", params->retry_failed,
                     "Only what failed the last time, and what was skipped because of it");
   add_partial_flag(*command, params->partial);

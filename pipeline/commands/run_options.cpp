@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "pipeline/commands/number_range.h"
+#include "pipeline/commands/usage_errors.h"
 
 namespace lightbench {
 
@@ -21,7 +22,7 @@ void add_run_flags(CLI::App& command, RunFlags& flags) {
       "--only", flags.only,
       "Only what matches this pattern of scene/view/variant or scene/view/reference, and what it needs");
   command.add_option("--gl", flags.gl, "OpenGL back end")
-      ->check(CLI::IsMember({"osmesa", "egl"}))
+      ->check(one_of({"osmesa", "egl"}))
       ->capture_default_str();
 }
 

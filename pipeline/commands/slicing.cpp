@@ -10,6 +10,7 @@
 #include "pipeline/commands/busy.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/number_range.h"
+#include "pipeline/commands/usage_errors.h"
 #include "pipeline/console.h"
 #include "pipeline/slicing_study.h"
 #include "pipeline/snapshot.h"
@@ -91,7 +92,7 @@ void add_slicing_command(CLI::App& app, Action& action) {
   std::vector<std::string> names;
   for (const CausticsMethodRow& method : caustics_methods()) names.emplace_back(method.name);
   command->add_option("--methods", options.methods, "Only these; default: all")
-      ->check(CLI::IsMember(names))
+      ->check(one_of(names))
       ->expected(1, int(names.size()));
   command->add_option("--rounds", options.rounds, "Measured maps of each method")
       ->check(number_between(1, 1000))
@@ -103,7 +104,7 @@ void add_slicing_command(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--gl", params->gl, "OpenGL back end")
-      ->check(CLI::IsMember({"osmesa", "egl"}))
+      ->check(one_of({"osmesa", "egl"}))
       ->capture_default_str();
   command->add_option("-o,--output", params->output, "Folder to write")->required();
   command->footer(

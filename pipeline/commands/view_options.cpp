@@ -153,6 +153,7 @@ std::map<std::string, ParamValue> parse_params(std::span<const ParamSpec> specs,
         std::find_if(specs.begin(), specs.end(), [&](const ParamSpec& s) { return s.name == name; });
     if (spec == specs.end())
       throw Error("unknown parameter '" + name + "'" + did_you_mean(name, row_names(specs)), "--param");
+    if (result.contains(name)) throw Error("the parameter '" + name + "' is given twice", "--param");
     const std::string value = text.substr(equals + 1), where = "--param " + name;
     if (is_path_param(*spec))
       result[name] = resolve_path_param(*spec, value, std::filesystem::current_path(), where);

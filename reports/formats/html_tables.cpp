@@ -80,7 +80,7 @@ std::string means_row(const RunReport& report, const Scale& scale, const std::st
                                 variant.name == report.baseline ? " <span class=\"tag\">baseline</span>" : "",
                                 h(variant.kind));
   if (report.references.size() > 1) row += "<td>" + h(reference.name) + "</td>";
-  row += fmt::format("<td class=\"number\">{}{}</td>", scores.size(),
+  row += fmt::format("<td class=\"number\">{}{}</td>", measured_text(scores),
                      failed > 0 ? fmt::format(" <span class=\"bad\">{} failed</span>", failed) : "");
   if (!leading.empty())
     row += "<td>" + dots(report, scale, metric_or_plain(leading), variant.name, reference.name) + "</td>";

@@ -21,9 +21,10 @@ Suite suite_named(const std::string& name) {
   return suite;
 }
 
-std::string problem(const char* element, const std::string& message) {
+std::string problem(const char* element, const char* type, const std::string& message) {
   // The message again as text: some viewers show only the one, some only the other.
-  return fmt::format("      <{0} message=\"{1}\">{1}</{0}>\n", element, escape_markup(message));
+  return fmt::format("      <{0} type=\"{1}\" message=\"{2}\">{2}</{0}>\n", element, type,
+                     escape_markup(message));
 }
 
 std::string skipped(const std::string& message) {
@@ -44,7 +45,7 @@ void add_task(Suite& suite, const std::string& group, const std::string& name, d
   std::string body;
   if (outcome == Outcome::failed) {
     ++suite.errors;
-    body = problem("error", error.empty() ? "failed" : error);
+    body = problem("error", "task failed", error.empty() ? "failed" : error);
   } else if (outcome == Outcome::skipped) {
     ++suite.skipped;
     body = skipped(error);
@@ -52,24 +53,37 @@ void add_task(Suite& suite, const std::string& group, const std::string& name, d
   add_case(suite, group, name, seconds, body);
 }
 
+/// A gate, or one of the views that it holds for.
+void add_gate(Suite& suite, const std::string& name, GateState state, const std::string& detail,
+              bool partial) {
+  std::string body;
+  if (state == GateState::not_met) {
+    ++suite.failures;
+    body = problem("failure", "gate not met", detail);
+  } else if (state == GateState::within_noise) {  // neither passed nor failed
+    ++suite.skipped;
+    body = skipped("within the reference's noise: " + detail);
+  } else if (state == GateState::not_judged && partial) {
+    ++suite.skipped;
+    body = skipped("not judged: " + detail);
+  } else if (state == GateState::not_judged) {  // no green light for what nobody measured
+    ++suite.errors;
+    body = problem("error", "gate not judged", "not judged: " + detail);
+  }
+  add_case(suite, "gate", name, 0, body);
+}
+
+std::string place(const ReportGateView& view) {
+  return (view.variant.empty() ? "" : view.variant + " on ") + view.scene + "/" + view.view;
+}
+
 Suite gates_suite(const RunReport& report) {
   Suite suite = suite_named("gates");
   for (const ReportGate& gate : report.gates) {
-    std::string body;
-    if (gate.state == GateState::not_met) {
-      ++suite.failures;
-      body = problem("failure", gate.detail);
-    } else if (gate.state == GateState::within_noise) {  // neither passed nor failed
-      ++suite.skipped;
-      body = skipped("within the reference's noise: " + gate.detail);
-    } else if (gate.state == GateState::not_judged && report.partial) {
-      ++suite.skipped;
-      body = skipped("not judged: " + gate.detail);
-    } else if (gate.state == GateState::not_judged) {  // no green light for what nobody measured
-      ++suite.errors;
-      body = problem("error", "not judged: " + gate.detail);
-    }
-    add_case(suite, "gate", gate.text, 0, body);
+    const std::string& name = gate.name.empty() ? gate.text : gate.name;  // none in runs of older versions
+    if (gate.views.empty()) add_gate(suite, name, gate.state, gate.detail, report.partial);
+    for (const ReportGateView& view : gate.views)
+      add_gate(suite, name + ": " + place(view), view.state, view.detail, report.partial);
   }
   return suite;
 }

@@ -61,8 +61,8 @@ std::string means(const RunReport& report) {
   for (const ReportImageSource& variant : report.variants) {
     for (const ReportImageSource& reference : report.references) {
       if (++rows > kRows) continue;
-      const std::size_t scores = worst_first(report, "", variant.name, reference.name).size();
-      std::vector<std::string> cells{cell(variant.name), cell(reference.name), std::to_string(scores)};
+      const auto scores = worst_first(report, "", variant.name, reference.name);
+      std::vector<std::string> cells{cell(variant.name), cell(reference.name), measured_text(scores)};
       for (const Metric& metric : shown) {
         const MeanValue mean = mean_metric(report, metric.name, variant.name, reference.name);
         cells.push_back(metric.name == "gain" ? gain_text(mean.mean, mean_ceiling(report, reference.name))

@@ -58,6 +58,7 @@ TEST(JsonReader, AKeyThatStandsTwiceIsAnError) {
 TEST(JsonReader, RangesAndChoicesAreChecked) {
   EXPECT_THAT(error_of([] { parse("7").number(0, 5); }), HasSubstr("between 0 and 5, not 7"));
   EXPECT_THAT(error_of([] { parse("1.5").integer(); }), HasSubstr("whole number"));
+  EXPECT_THAT(error_of([] { parse("\"1\"").integer(); }), HasSubstr("must be a whole number, not a text"));
   EXPECT_THAT(error_of([] { parse("1e400").number(); }), HasSubstr("job.json"));
   EXPECT_THAT(error_of([] { parse("\"emx\"").choice({"esm", "pcf"}); }), HasSubstr("did you mean 'esm'?"));
 }

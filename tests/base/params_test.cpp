@@ -46,6 +46,7 @@ TEST(Params, MistakesNameTheNearestAndThePlace) {
   EXPECT_THAT(error_of("", {{"shadows", std::string("ems")}}), HasSubstr("did you mean 'esm'?"));
   EXPECT_THAT(error_of("", {{"radius", 11.0}}), HasSubstr("$.variants[0]"));
   EXPECT_THAT(error_of("", {{"samples", 1.5}}), HasSubstr("whole number"));
+  EXPECT_THAT(error_of("", {{"samples", std::string("1")}}), HasSubstr("a whole number, not the text '1'"));
   EXPECT_THAT(error_of("", {{"paper_normals", std::string("yes")}}), HasSubstr("true or false"));
 }
 

@@ -25,7 +25,11 @@ TEST(CleanUtf8, ReplacesControlCharacters) {
 
 TEST(CleanUtf8, ReplacesMarksThatTurnTheOrder) {
   EXPECT_EQ(clean_utf8("gnp.\u202Ex\u2066y\u200F"), "gnp.\uFFFDx\uFFFDy\uFFFD");
-  EXPECT_EQ(clean_utf8("\u200D\u2029\u202F\u2065\u206A"), "\u200D\u2029\u202F\u2065\u206A");
+  EXPECT_EQ(clean_utf8("\u200D\u2027\u202F\u2065\u206A"), "\u200D\u2027\u202F\u2065\u206A");
+}
+
+TEST(CleanUtf8, ReplacesSeparatorsOfLines) {
+  EXPECT_EQ(clean_utf8("a\u2028b\u2029c"), "a\uFFFDb\uFFFDc");
 }
 
 TEST(CleanUtf8, IsStable) {

@@ -134,7 +134,7 @@ TEST_P(NumberOption, TakesFiniteNumbersOnly) {
   const auto before = files();
   const auto is_option = [](const std::string& word) { return word.size() > 1 && word[0] == '-'; };
   const std::string option = *std::find_if(GetParam().rbegin(), GetParam().rend(), is_option);
-  for (const char* value : {"nan", "inf", "-inf", "1e999", "3x"}) {
+  for (const char* value : {"nan", "inf", "-inf", "1e999", "3x", "0x1", " 1", "1 ", "+-1"}) {
     auto arguments = GetParam();
     arguments.emplace_back(value);
     const auto result = run(arguments);

@@ -111,6 +111,7 @@ TEST_F(Cli, ComparePrintsMetricsAndDrawsDifferences) {
       run({"compare", "a.png", "b.png", "--metric", "mean_error", "--diff", "d.png", "--heat", "h.png"});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("20.000 of 255"));
+  EXPECT_THAT(result.out, HasSubstr("largest error 20 of 255 at x 0, y 0"));
   EXPECT_EQ(read_image_srgb8(path("d.png")).data[0], 235);  // 255 - 20
   EXPECT_TRUE(std::filesystem::exists(path("h.png")));
 }

@@ -192,7 +192,7 @@ TEST_F(GlRun, ClosedStreamsRuinNothing) {
 
 TEST_F(GlRun, ALinkBelowItsFolderLeadsNothingOut) {
   std::filesystem::create_directory(path("elsewhere"));
-  std::filesystem::create_directory(path("out"));
+  write("out/ledger.jsonl", "");  // of a run that was killed at once
   for (const char* name : {"views", "povray"}) {
     std::filesystem::create_directory_symlink("../elsewhere", path("out") / name);
     const auto result = run_job();
@@ -226,8 +226,10 @@ TEST_F(GlRun, AFolderOfAnotherProgramsFilesKeepsThem) {
   EXPECT_THAT(result.err, HasSubstr("out/ledger.jsonl: is not a ledger"));
   EXPECT_EQ(read_file(path("out/ledger.jsonl")), "my ledger: 12 apples");
   std::filesystem::remove(path("out/ledger.jsonl"));
-  EXPECT_EQ(run_job().exit_code, 0);
-  EXPECT_EQ(read_file(path("out/tmp/notes")), "mine");
+  const auto refused = run_job();
+  EXPECT_EQ(refused.exit_code, 3);
+  EXPECT_THAT(refused.err, HasSubstr("out: holds files, such as tmp, but no run of lightbench"));
+  EXPECT_EQ(files("out"), (std::set<std::string>{"out/tmp/notes"}));
 }
 
 TEST_F(GlRun, AWorkerReadsItsTasksFromItsInput) {

@@ -109,6 +109,7 @@ TEST_F(GlRun, WhatScenesAndVariantsReadIsNotReplaced) {
   for (const KeptFile& kept : cases) {
     const std::string text = read_file(path(kept.reader)), content = read_file(path(kept.old_place));
     std::filesystem::create_directories(path(kept.output).parent_path());
+    write("out/ledger.jsonl", "");  // it is the folder of a run
     write(kept.output, content);
     const std::string name =
         kept.reader == std::string("job.json") ? "mine/{scene}-{view}.png" : kept.old_place;
@@ -126,6 +127,7 @@ TEST_F(GlRun, WhatScenesAndVariantsReadIsNotReplaced) {
 TEST_F(GlRun, WhatIsNoFileInAFilesPlaceIsFoundBeforeTheWork) {
   for (const char* name : {"out/index.html", "out/run.json", "out/views/box/front/lit.png"}) {
     std::filesystem::create_directories(path(name));
+    write("out/ledger.jsonl", "");  // it is the folder of a run
     const auto result = run_job();
     EXPECT_EQ(result.exit_code, 3) << name;
     EXPECT_THAT(result.err, HasSubstr(path(name).string() + ": is in the place of a file")) << name;

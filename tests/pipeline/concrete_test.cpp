@@ -75,6 +75,75 @@ TEST(Concrete, DrawnViewsAreStoredAndReadBack) {
   EXPECT_EQ(stored[0].camera.position, views_of(job.scenes[1])[0].camera.position);
 }
 
+/// The job with a gate on the views that match.
+std::string with_view_gate(const std::string& view, const std::string& more = "",
+                           const std::string& text = kJobText) {
+  return replaced(text, R"("metrics")",
+                  R"("gates": [{"metric": "gain", "variant": "other", "min": 0, "view": ")" + view + "\"" +
+                      more + R"(}], "metrics")");
+}
+
+std::string concrete_error(const std::string& text, const DrawViews& draw_views = nullptr,
+                           const std::filesystem::path& out = "/out") {
+  try {
+    make_concrete(parse_job(text, "/jobs/job.json"), out, draw_views);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Concrete, AGateThatMatchesNoViewIsAnErrorWithItsPlace) {
+  EXPECT_EQ(concrete_error(with_view_gate("[ab]")), "no error");
+  EXPECT_EQ(concrete_error(with_view_gate("bb")), "/jobs/job.json: $.gates[0].view: no view is called 'bb'");
+  EXPECT_THAT(concrete_error(with_view_gate("c*")), HasSubstr("no view is called 'c*'"));
+}
+
+TEST(Concrete, AGateLooksForViewsInItsScenesAlone) {
+  EXPECT_EQ(concrete_error(with_view_gate("b", R"(, "scene": "one")")), "no error");
+  EXPECT_THAT(concrete_error(with_view_gate("b", R"(, "scene": "two")")),
+              HasSubstr("$.gates[0].view: no view of scene 'two' is called 'b'"));
+}
+
+TEST(Concrete, AGateOfASweptVariantIsComplainedOfOnce) {
+  const auto text = replaced(with_view_gate("x"), R"("technique": "ambient")",
+                             R"("technique": "ambient", "sweep": {"k": [0.5, 1]})");
+  EXPECT_THAT(concrete_error(text), testing::StartsWith("/jobs/job.json: $.gates[0].view: no view"));
+}
+
+TEST(Concrete, AGateOnDrawnViewsIsCheckedOnceTheyAreDrawn) {
+  const TemporaryFolder out;
+  const auto drawn =
+      replaced(kJobText, R"("views": [{"name": "a", "position": [1, 0, 0], "look_at": [0, 0, 0]}])",
+               R"("random": {"count": 1})");
+  const DrawViews draw = [](const JobScene&, const RandomViewsRequest&, double) {
+    return std::vector<View>{{"drawn", {{0.1f, 0.2f, 0.3f}, {0, 0, 0}}}};
+  };
+  EXPECT_EQ(concrete_error(with_view_gate("drawn", "", drawn), draw, out.path()), "no error");
+  EXPECT_THAT(concrete_error(with_view_gate("drwan", "", drawn), draw, out.path()),
+              HasSubstr("$.gates[0].view: no view is called 'drwan' (did you mean 'drawn'?)"));
+}
+
+TEST(Concrete, NothingIsDrawnForAGateThatCannotMatch) {
+  const auto drawn =
+      replaced(kJobText, R"("views": [{"name": "a", "position": [1, 0, 0], "look_at": [0, 0, 0]}])",
+               R"("random": {"count": 1})");
+  const DrawViews never = [](const JobScene&, const RandomViewsRequest&, double) {
+    ADD_FAILURE() << "views were drawn";
+    return std::vector<View>();
+  };
+  EXPECT_THAT(concrete_error(with_view_gate("x", R"(, "scene": "one")", drawn), never),
+              HasSubstr("no view of scene 'one' is called 'x'"));
+}
+
+TEST(Concrete, AllScriptsThatCannotBeReadAreNamed) {
+  const std::string text = R"({"scenes": [{"name": "1", "scene": "s.json", "cameras": "none.json"},
+                                          {"name": "2", "scene": "s.json", "cameras": "gone.json"}],
+                               "variants": [{"technique": "direct"}]})";
+  EXPECT_THAT(concrete_error(text), testing::AllOf(HasSubstr("2 problems"), HasSubstr("/jobs/none.json"),
+                                                   HasSubstr("/jobs/gone.json")));
+}
+
 TEST(Concrete, NamedViewsAreTakenInTheOrderOfTheJob) {
   const TemporaryFolder folder;
   write_file_atomic(folder.path() / "c.json",

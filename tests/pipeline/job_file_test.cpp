@@ -147,7 +147,7 @@ const BadJob kBadJobs[] = {
     {"image of 100k x 100k", "[8, 6]", "[100000, 100000]", "$.size"},
     {"too large with its samples", "[8, 6]", "[16384, 16384], \"samples\": 4", "$.samples"},
     {"size of three", "[8, 6]", "[8, 6, 1]", "$.size: must be [width, height]"},
-    {"size in text", "[8, 6]", "[\"8\", 6]", "$.size[0]: must be a number"},
+    {"size in text", "[8, 6]", "[\"8\", 6]", "$.size[0]: must be a whole number, not a text"},
     {"zero-area camera", R"("position": [1, 0, 0])", R"("position": [0, 0, 0])", "$.scenes[1].views[0]"},
     {"foreign variable", "one.json", "${HOME}/one.json", "$.scenes[0].scene"},
     {"no variants", R"({"name": "direct", "technique": "direct"}, {"name": "other", "technique": "ambient"})",
@@ -160,7 +160,8 @@ const BadJob kBadJobs[] = {
      R"("gates": [{"metric": "gain", "variant": "othre", "min": 0}], "metrics")",
      "$.gates[0].variant: no variant is called 'othre' (did you mean 'other'?)"},
     {"gate of a metric that is not computed", R"("metrics")",
-     R"("gates": [{"metric": "pearson", "variant": "other", "min": 0}], "metrics")", "$.gates[0].metric"},
+     R"("gates": [{"metric": "pearson", "variant": "other", "min": 0}], "metrics")",
+     "$.gates[0].metric: the job does not compute 'pearson': name it in the job's 'metrics'"},
     {"gate with bounds the wrong way round", R"("metrics")",
      R"("gates": [{"metric": "gain", "variant": "*", "min": 2, "max": 1}], "metrics")",
      "'min' is above 'max'"},
@@ -173,6 +174,13 @@ const BadJob kBadJobs[] = {
     {"not JSON", R"("metrics")", R"(metrics)", "/jobs/job.json:11"},
 };
 INSTANTIATE_TEST_SUITE_P(All, JobFileError, ::testing::ValuesIn(kBadJobs));
+
+TEST(JobFile, ANumberInATextIsCalledAText) {
+  EXPECT_THAT(
+      error_of(replaced(kJobText, R"("views": [{"name": "a", "position": [1, 0, 0], "look_at": [0, 0, 0]}])",
+                        R"("random": {"count": 1, "seed": "1"})")),
+      HasSubstr("$.scenes[1].random.seed: must be a whole number, not a text"));
+}
 
 TEST(JobFile, AJobWithASequenceHasTheMetricsOfSequences) {
   const std::string text = R"({"scenes": [{"scene": "s.json", "random": {"count": 1}SEQUENCE}],

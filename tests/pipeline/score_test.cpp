@@ -91,6 +91,21 @@ TEST_F(ScoreOfFiles, UndefinedValuesHaveTheirReasonInTheJson) {
   EXPECT_EQ(json["metrics"]["mean_error"], 1.5);
 }
 
+TEST_F(ScoreOfFiles, JsonHasThePlaceOfTheLargestErrorWhereItIsKnown) {
+  Image8 a(20, 20, 3, 0), b = a;
+  b.pixel(7, 3)[1] = 90;
+  Score score;
+  EXPECT_FALSE(nlohmann::json::parse(score_json(score)).contains("largest_error"));
+  score.place = find_error(a, b);
+  const auto json = nlohmann::json::parse(score_json(score));
+  EXPECT_EQ(json["differing_pixels"], 1);
+  EXPECT_EQ(json["largest_error"]["error"], 90);
+  EXPECT_EQ(json["largest_error"]["x"], 7);
+  EXPECT_EQ(json["largest_error"]["y"], 3);
+  EXPECT_EQ(json["largest_error"]["region"]["pixels"], 1);
+  EXPECT_EQ(json["worst_block"]["width"], 16);
+}
+
 TEST_F(ScoreOfFiles, FlickerIsMeasuredAgainstTheFrameBefore) {
   // Errors of 10 - 40 and 35 - 40: the left pixel changes by 25, and the right one not.
   const ScoreRequest request{.image = png("a.png", 10),

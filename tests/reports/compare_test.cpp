@@ -84,7 +84,23 @@ TEST_F(Compare, ChoosesAllMetricsThatNeedNoBaseline) {
   EXPECT_EQ(result.height, 6);
   std::vector<std::string> names;
   for (const auto& [name, value] : result.metrics) names.push_back(name);
-  EXPECT_EQ(names, (std::vector<std::string>{"mean_error", "pearson", "luv", "luminance_error", "rmse"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"mean_error", "pearson", "luv", "luminance_error", "rmse",
+                                             "max_error", "p99_error", "bad_pixels", "block_error"}));
+}
+
+TEST_F(Compare, TellsTheFirstPlaceOfTheLargestError) {
+  const Image8 a(30, 20, 3, 100);
+  Image8 b = a;
+  b.pixel(21, 7)[1] = 160;
+  const CompareResult result = compare_files({.reference = png("a.png", a), .image = png("b.png", b)});
+  ASSERT_TRUE(result.place);
+  EXPECT_EQ(result.place->x, 21);
+  EXPECT_EQ(result.place->y, 7);
+}
+
+TEST_F(Compare, TellsNoPlaceOfIdenticalPictures) {
+  const auto a = png("a.png", pattern(8, 6, 1));
+  EXPECT_FALSE(compare_files({.reference = a, .image = a}).place);
 }
 
 TEST_F(Compare, TakesABaseline) {

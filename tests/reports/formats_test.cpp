@@ -8,6 +8,7 @@
 #include "base/files.h"
 #include "reports/escape.h"
 #include "reports/report_formats.h"
+#include "reports/verdict.h"
 #include "tests/base/small_disk.h"
 #include "tests/reports/sample_run.h"
 
@@ -142,7 +143,28 @@ TEST(JunitReport, CountsFailuresAndErrors) {
   EXPECT_THAT(
       text,
       HasSubstr(
-          "<testsuites name=\"rooms &amp; more\" tests=\"20\" failures=\"1\" errors=\"3\" skipped=\"1\""));
+          "<testsuites name=\"rooms &amp; more\" tests=\"21\" failures=\"1\" errors=\"3\" skipped=\"1\""));
+}
+
+TEST(JunitReport, NamesHoldNoThreshold) {
+  RunReport run;
+  run.variants.push_back({"isr", "isr", {}, 0, false, ""});
+  for (const double bound : {10, 20}) {
+    Gate gate;
+    gate.metric = "gain";
+    gate.variant = "isr";
+    gate.over = Gate::Over::mean;
+    gate.min = bound;
+    run.gates = {evaluate_gate(gate, run)};
+    EXPECT_THAT(written("junit", run), HasSubstr("classname=\"gate\" name=\"gain of isr, mean, min\""))
+        << bound;
+  }
+}
+
+TEST(JunitReport, HasACaseForEachViewOfAGate) {
+  const std::string text = written("junit");
+  EXPECT_THAT(text, HasSubstr("name=\"gain of isr-48, each view, min: office/desk\" time=\"0.000\"/>"));
+  EXPECT_THAT(text, HasSubstr("<failure type=\"gate not met\""));
 }
 
 TEST(MarkdownReport, HostileTextCannotMakeCellsOrMarkup) {

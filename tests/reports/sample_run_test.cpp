@@ -136,6 +136,10 @@ RunReport sample_run() {
   run.gates = {{"{\"metric\":\"gain\",\"variant\":\"isr-48\",\"min\":0}", GateState::not_met, kHostileError},
                {"mean mean_error of direct <= 10", GateState::met, "6 mean of 2 views"},
                {"mean mean_error of direct <= 6.1", GateState::within_noise, "6 mean of 2 views; by 0.1"}};
+  run.gates[0].name = "gain of isr-48, each view, min";
+  run.gates[0].views = {{kHostileScene, kHostileView, "", GateState::not_met, kHostileError},
+                        {"office", "desk", "", GateState::met, "25"}};
+  run.gates[2].name = "mean_error of direct, mean, max";
   return run;
 }
 

@@ -65,11 +65,89 @@ TEST(Gate, WorstIsTheLargestForAnUpperBound) {
   EXPECT_THAT(result.detail, HasSubstr("40 on a/2"));
 }
 
-TEST(Gate, EachListsEveryViewThatBreaksIt) {
+TEST(Gate, EachListsEveryViewThatBreaksItWorstFirst) {
   const ReportGate result = evaluate_gate(gate(Gate::Over::each, 20), kRun);
   EXPECT_EQ(result.state, GateState::not_met);
-  EXPECT_EQ(result.detail, "2 of 3 views: 10 on a/1, below 20; 4 on b/1, below 20");
+  EXPECT_EQ(result.detail, "2 of 3 views: 4 on b/1, below 20; 10 on a/1, below 20");
   EXPECT_EQ(evaluate_gate(gate(Gate::Over::each, 4), kRun).state, GateState::met);
+}
+
+TEST(Gate, EachShowsTheWorstOfManyViewsThatBreakIt) {
+  std::vector<ReportScore> scores;
+  for (int i = 0; i < 9; ++i) scores.push_back(score("a/" + std::to_string(i), "isr-48", 9 - i));
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::each, 20), run_of(scores)).detail,
+            "9 of 9 views: 1 on a/8, below 20; 2 on a/7, below 20; 3 on a/6, below 20; 4 on a/5, below 20; "
+            "5 on a/4, below 20; and 4 more");
+}
+
+TEST(Gate, OfAPatternNamesTheWorstVariantFirst) {
+  Gate any = gate(Gate::Over::mean, 20);
+  any.variant = "isr-*";
+  const ReportGate result =
+      evaluate_gate(any, run_of({score("a/1", "isr-24", 10), score("a/1", "isr-48", 5)}));
+  EXPECT_EQ(result.detail, "isr-48: 5 mean of 1 view, below 20; isr-24: 10 mean of 1 view, below 20");
+}
+
+TEST(GateViews, AreThereForAGateOnEachViewAlone) {
+  EXPECT_TRUE(evaluate_gate(gate(Gate::Over::mean, 20), kRun).views.empty());
+  EXPECT_TRUE(evaluate_gate(gate(Gate::Over::worst, 20), kRun).views.empty());
+  EXPECT_EQ(evaluate_gate(gate(Gate::Over::each, 20), kRun).views.size(), 3u);
+}
+
+TEST(GateViews, StandWorstFirstWithTheirValues) {
+  const std::vector<ReportGateView> views = evaluate_gate(gate(Gate::Over::each, 20), kRun).views;
+  ASSERT_EQ(views.size(), 3u);
+  EXPECT_EQ(views[0].scene + "/" + views[0].view, "b/1");
+  EXPECT_EQ(views[0].state, GateState::not_met);
+  EXPECT_EQ(views[0].detail, "4, below 20");
+  EXPECT_EQ(views[1].detail, "10, below 20");
+  EXPECT_EQ(views[2].state, GateState::met);
+  EXPECT_EQ(views[2].detail, "40");
+  EXPECT_EQ(views[2].variant, "") << "it is the gate's";
+}
+
+TEST(GateViews, WithoutANumberAreTheWorst) {
+  RunReport run = kRun;
+  run.scores[1].metrics["gain"] = MetricValue::undefined("the baseline has no error");
+  const std::vector<ReportGateView> views = evaluate_gate(gate(Gate::Over::each, 5), run).views;
+  ASSERT_EQ(views.size(), 3u);
+  EXPECT_EQ(views[0].view, "2");
+  EXPECT_EQ(views[0].state, GateState::not_met);
+  EXPECT_THAT(views[0].detail, HasSubstr("the baseline has no error"));
+}
+
+TEST(GateViews, ThatWereNotMeasuredAreNotJudged) {
+  RunReport run = kRun;
+  run.scores[0].outcome = Outcome::skipped;
+  const std::vector<ReportGateView> views = evaluate_gate(gate(Gate::Over::each, 5), run).views;
+  ASSERT_EQ(views.size(), 3u);
+  EXPECT_EQ(views[1].view, "1");
+  EXPECT_EQ(views[1].state, GateState::not_judged);
+}
+
+TEST(GateViews, NameTheVariantWhereTheGateHasAPattern) {
+  Gate any = gate(Gate::Over::each, 20);
+  any.variant = "isr-*";
+  EXPECT_EQ(evaluate_gate(any, kRun).views[0].variant, "isr-48");
+}
+
+TEST(GateName, StaysWhileTheBoundsChange) {
+  EXPECT_EQ(gate_name(gate(Gate::Over::mean, 18)), "gain of isr-48, mean, min");
+  EXPECT_EQ(gate_name(gate(Gate::Over::mean, 19)), gate_name(gate(Gate::Over::mean, 18)));
+  EXPECT_NE(gate_name(gate(Gate::Over::each, 18)), gate_name(gate(Gate::Over::mean, 18)));
+  EXPECT_NE(gate_name(gate(Gate::Over::mean, std::nullopt, 18)), gate_name(gate(Gate::Over::mean, 18)));
+  Gate narrow = gate(Gate::Over::mean, 18, 20);
+  narrow.reference = "povray";
+  narrow.scene = "a";
+  narrow.view = "1*";
+  EXPECT_EQ(gate_name(narrow), "gain of isr-48 against povray, scene a, view 1*, mean, min, max");
+}
+
+TEST(GateName, IsUniqueInARun) {
+  const std::vector<Gate> gates = {gate(Gate::Over::mean, 18), gate(Gate::Over::mean, 25)};
+  const auto results = evaluate_gates(gates, kRun);
+  EXPECT_EQ(results[0].name, "gain of isr-48, mean, min");
+  EXPECT_EQ(results[1].name, "gain of isr-48, mean, min (2)");
 }
 
 TEST(Gate, UndefinedValueIsNotMetAndSaysWhy) {
