@@ -92,6 +92,8 @@ std::string score_json(const Score& score) {
     else
       json["metrics"][name] = {{"undefined", value.undefined_because}};
   }
+  if (score.alpha.pixels > 0)
+    json["alpha"] = {{"pixels", score.alpha.pixels}, {"largest", score.alpha.largest}};
   return json_text(json, 2) + "\n";
 }
 
