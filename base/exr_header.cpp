@@ -1,80 +1,74 @@
 #include "base/exr_header.h"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <span>
-
-#include "base/input_file.h"
+#include "base/byte_reader.h"
 
 namespace lightbench {
 namespace {
 
 constexpr std::size_t kMagicBytes = 4;
 constexpr std::uint32_t kMultiPart = 1 << 12;  // a flag of the version
+constexpr std::size_t kLongestName = 255;      // that the library reads
 
-/// Reads the headers from their start; each call tells whether the file goes on so far.
-class HeaderReader {
- public:
-  explicit HeaderReader(const std::filesystem::path& file) : input_(file, kLargestPictureFile) {}
-
-  bool skip(std::uint64_t count) {
-    std::array<char, 4096> block;
-    while (count > 0) {
-      const std::size_t part = std::size_t(std::min<std::uint64_t>(count, block.size()));
-      if (input_.read(std::span(block).first(part)) != part) return false;
-      count -= part;
-    }
-    return true;
-  }
-
-  /// A little-endian number.
-  std::optional<std::uint32_t> number() {
-    std::array<char, 4> bytes{};
-    if (input_.read(bytes) != bytes.size()) return std::nullopt;
-    std::uint32_t value = 0;
-    for (std::size_t i = bytes.size(); i-- > 0;) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-    return value;
-  }
-
-  /// The length of a text that a zero ends.
-  std::optional<std::size_t> text() {
-    std::array<char, 1> byte{};
-    for (std::size_t length = 0;; ++length) {
-      if (input_.read(byte) != byte.size()) return std::nullopt;
-      if (byte[0] == '\0') return length;
-    }
-  }
-
-  /// The number of attributes that were passed over up to the end of a header.
-  std::optional<std::size_t> header() {
-    for (std::size_t count = 0;; ++count) {
-      const auto name = text();
-      if (!name) return std::nullopt;
-      if (*name == 0) return count;
-      if (!text()) return std::nullopt;
-      const auto size = number();
-      if (!size || *size > input_.size() || !skip(*size)) return std::nullopt;
-    }
-  }
-
- private:
-  InputFile input_;
+struct Size {
+  std::int64_t width = 0;
+  std::int64_t height = 0;
 };
+
+/// A box has its first and its last pixel.
+std::optional<Size> read_box(ByteReader& reader) {
+  std::int64_t corners[4];  // left, top, right, bottom
+  for (std::int64_t& corner : corners) {
+    const auto number = reader.little_endian();
+    if (!number) return std::nullopt;
+    corner = static_cast<std::int32_t>(*number);
+  }
+  return Size{corners[2] - corners[0] + 1, corners[3] - corners[1] + 1};
+}
+
+/// Reads the value of an attribute; whether it ends within the file.
+bool read_attribute(ByteReader& reader, const std::string& name, ExrPart& part) {
+  const auto type = reader.text(kLongestName);
+  if (!type) return false;
+  const auto bytes = reader.little_endian();
+  if (!bytes || *bytes > reader.size()) return false;
+  const bool data = name == "dataWindow", display = name == "displayWindow";
+  if ((!data && !display) || *type != "box2i" || *bytes != 16) return reader.skip(*bytes);
+  const auto size = read_box(reader);
+  if (!size) return false;
+  (data ? part.data_width : part.display_width) = size->width;
+  (data ? part.data_height : part.display_height) = size->height;
+  return true;
+}
+
+struct Header {
+  std::size_t attributes = 0;
+  ExrPart part{};
+};
+
+std::optional<Header> read_header(ByteReader& reader) {
+  for (Header header;; ++header.attributes) {
+    const auto name = reader.text(kLongestName);
+    if (!name) return std::nullopt;
+    if (name->empty()) return header;
+    if (!read_attribute(reader, *name, header.part)) return std::nullopt;
+  }
+}
 
 }  // namespace
 
-bool exr_attributes_fit(const std::filesystem::path& file) {
-  HeaderReader reader(file);
-  if (!reader.skip(kMagicBytes)) return false;
-  const auto version = reader.number();
-  if (!version) return false;
-  if ((*version & kMultiPart) == 0) return reader.header().has_value();
-  // An empty header follows those of the parts.
-  for (auto count = reader.header();; count = reader.header()) {
-    if (!count) return false;
-    if (*count == 0) return true;
+std::optional<std::vector<ExrPart>> read_exr_parts(const std::filesystem::path& file) {
+  ByteReader reader(file);
+  if (!reader.skip(kMagicBytes)) return std::nullopt;
+  const auto version = reader.little_endian();
+  if (!version) return std::nullopt;
+  const bool several = (*version & kMultiPart) != 0;
+  for (std::vector<ExrPart> parts;;) {
+    const auto header = read_header(reader);
+    if (!header) return std::nullopt;
+    // An empty header follows those of the parts.
+    if (several && header->attributes == 0) return parts;
+    parts.push_back(header->part);
+    if (!several) return parts;
   }
 }
 

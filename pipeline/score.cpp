@@ -111,6 +111,8 @@ std::string score_json(const Score& score) {
       json["metrics"][name] = {{"undefined", value.undefined_because}};
   }
   if (score.place) add_place(*score.place, json);
+  if (score.alpha.pixels > 0)
+    json["alpha"] = {{"pixels", score.alpha.pixels}, {"largest", score.alpha.largest}};
   return json_text(json, 2) + "\n";
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "reports/compare.h"
 #include "reports/difference_image.h"
 #include "reports/error_place.h"
 #include "reports/metric.h"
@@ -31,16 +32,18 @@ struct Score {
   Image8 reference = {};
   Image8 baseline = {};           ///< empty without one
   std::size_t masked_pixels = 0;  ///< that masked metrics look at
-  bool identical = false;         ///< whether image and reference agree in every pixel
+  bool identical = false;         ///< whether image and reference agree in every pixel's colour
   std::map<std::string, MetricValue> metrics = {};
   std::optional<ErrorPlace> place = {};  ///< as `compare` tells it; `compute_score` leaves it out
+  AlphaDifference alpha = {};  ///< of two files that are compared; compute_score does not look for it
 };
 
 /// Reads the images on the 0..255 scale and computes the metrics. A metric that needs a baseline where there
 /// is none is undefined. Throws Error for unreadable images, NaN, and other sizes.
 Score compute_score(const ScoreRequest& request);
 
-/// The metrics, the number of masked pixels and the place of the largest error, if there is one, as JSON.
+/// The metrics, the number of masked pixels, the place of the largest error and the difference of alpha, if
+/// there are any, as JSON.
 std::string score_json(const Score& score);
 
 }  // namespace lightbench

@@ -1,6 +1,7 @@
 #include "reports/compare.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 #include <fmt/format.h>
@@ -29,6 +30,20 @@ bool has_transparency(const Image8& image) {
   for (std::size_t i = 3; i < image.data.size(); i += 4)
     if (image.data[i] != 255) return true;
   return false;
+}
+
+int alpha_of(const Image8& image, std::size_t pixel) {
+  return image.channels == 4 ? image.data[4 * pixel + 3] : 255;
+}
+
+AlphaDifference alpha_difference(const Image8& reference, const Image8& image) {
+  AlphaDifference difference;
+  for (std::size_t i = 0; i < reference.pixel_count(); ++i) {
+    const int here = std::abs(alpha_of(reference, i) - alpha_of(image, i));
+    difference.pixels += here != 0;
+    difference.largest = std::max(difference.largest, here);
+  }
+  return difference;
 }
 
 Mask read_mask(const path& file, const Image8& reference) {
@@ -80,13 +95,16 @@ CompareResult compare_files(const CompareOptions& options) {
   const std::vector<std::string> names = chosen_metrics(options);
   check_files(options);
 
-  const Image8 reference_file = read_image_srgb8(options.reference);
+  const std::string& reference_layer =
+      options.reference_layer.empty() ? options.layer : options.reference_layer;
+  const Image8 reference_file = read_image_srgb8(options.reference, reference_layer);
   const Image8 reference = colors(reference_file);
-  const Image8 image = colors(read_image_srgb8(options.image));
+  const Image8 image_file = read_image_srgb8(options.image, options.layer);
+  const Image8 image = colors(image_file);
   check_pair(reference, image, options.reference.string(), options.image.string());
   std::optional<Image8> baseline;
   if (!options.baseline.empty()) {
-    baseline = colors(read_image_srgb8(options.baseline));
+    baseline = colors(read_image_srgb8(options.baseline, options.layer));
     check_pair(reference, *baseline, options.reference.string(), options.baseline.string());
   }
   const Mask mask = choose_mask(options, reference_file);
@@ -96,7 +114,8 @@ CompareResult compare_files(const CompareOptions& options) {
                        .metrics = {},
                        .mask_pixels = 0,
                        .mask_source = mask.source,
-                       .place = find_error(reference, image)};
+                       .place = find_error(reference, image),
+                       .alpha = alpha_difference(reference_file, image_file)};
   result.mask_pixels =
       std::size_t(std::ranges::count_if(mask.pixels, [](std::uint8_t counts) { return counts != 0; }));
   const auto values =

@@ -20,6 +20,8 @@ struct CompareParams {
   std::string image;
   std::vector<std::string> metrics;
   std::string baseline;
+  std::string layer;
+  std::string reference_layer;
   std::string mask;
   std::string difference;
   std::string heat;
@@ -38,12 +40,17 @@ void print_table(const CompareResult& result) {
   std::printf("%zu of %d x %d pixels count in masked metrics (%s)\n", result.mask_pixels, result.width,
               result.height, plain_line(result.mask_source).c_str());
   std::printf("%s", error_place_text(result.place).c_str());
+  if (result.alpha.pixels > 0)
+    std::printf("not equal: %zu pixels have another alpha, by up to %d of 255; metrics do not tell of it\n",
+                result.alpha.pixels, result.alpha.largest);
 }
 
 ExitCode run_compare(const CompareParams& params) {
   const CompareResult result = compare_files({.reference = params.reference,
                                               .image = params.image,
                                               .baseline = params.baseline,
+                                              .layer = params.layer,
+                                              .reference_layer = params.reference_layer,
                                               .mask = params.mask,
                                               .metrics = params.metrics,
                                               .difference = params.difference,
@@ -52,7 +59,8 @@ ExitCode run_compare(const CompareParams& params) {
   if (params.json)
     std::printf("%s", score_json({.masked_pixels = result.mask_pixels,
                                   .metrics = {result.metrics.begin(), result.metrics.end()},
-                                  .place = result.place})
+                                  .place = result.place,
+                                  .alpha = result.alpha})
                           .c_str());
   else
     print_table(result);
@@ -77,6 +85,12 @@ void add_compare_command(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->allow_extra_args(false);
   command->add_option("--baseline", params->baseline, "Picture that gain and quality are measured against");
+  command->add_option(
+      "--layer", params->layer,
+      "Layer or part to read in OpenEXR files that have named ones; default: the one without a "
+      "name, or the only one with colour");
+  command->add_option("--reference-layer", params->reference_layer,
+                      "The same for the reference alone; default: that of --layer");
   command->add_option("--mask", params->mask,
                       "Picture that marks the pixels of masked metrics: by an alpha of at least half, or "
                       "without one by a colour "
@@ -88,8 +102,9 @@ void add_compare_command(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_flag("--json", params->json, "Print JSON");
   command->footer(
-      R"(Float pictures are compared as the rounded sRGB of their linear values, on the 0..255 scale.
+      R"(Pictures are compared as they look over black: as sRGB on the 0..255 scale, to which floats are rounded.
 Besides the metrics it says how many pixels differ, where the largest error is and which block is worst.
+Metrics see colours; that two pictures differ in alpha is told on a line of its own.
 
 Example:
   lightbench compare truth.exr mine.png --metric mean_error,pearson --diff difference.png)");

@@ -38,7 +38,8 @@ void render_images(FrameContext& frame, const ParamValues& params) {
   const FrameRequest& request = frame.request();
   const std::string file = picture_path(params.text("pattern"), request.scene.name, request.view.name);
   Image picture;
-  frame.result().picture_hash = hash_while_reading(file, [&] { picture = read_image(file); });
+  frame.result().picture_hash =
+      hash_while_reading(file, [&] { picture = read_image(file, params.text("layer")); });
   check_picture(picture, request, file);
   frame.set_image(with_alpha(std::move(picture)));
 }
@@ -71,12 +72,17 @@ Technique images_technique() {
   Technique technique;
   technique.name = "images";
   technique.doc = "pictures of another engine, read from files and scored like any other variant";
-  technique.params = {text_param(
-      "pattern", "renders/{scene}/{view}.png",
-      "path of a view's picture; {scene} and {view} stand for the names, in which bytes other than letters, "
-      "digits, '.', '_' and '-' become %XX; {{ is a brace; ${LIGHTBENCH_...} is an environment variable; "
-      "relative to the job file's folder, and on the command line to the working directory. 8- and 16-bit "
-      "files are taken as sRGB, EXR as linear light")};
+  technique.params = {
+      text_param(
+          "pattern", "renders/{scene}/{view}.png",
+          "path of a view's picture; {scene} and {view} stand for the names, in which bytes other than "
+          "letters, digits, '.', '_' and '-' become %XX; {{ is a brace; ${LIGHTBENCH_...} is an "
+          "environment variable; relative to the job file's folder, and on the command line to the "
+          "working directory. 8- and 16-bit files are taken as sRGB, EXR as linear light"),
+      text_param(
+          "layer", "",
+          "layer or part to read in OpenEXR files that have named ones; empty: the one without a name, "
+          "or the only one with colour")};
   technique.needs_gl = false;
   technique.external = true;
   technique.shows_water = true;

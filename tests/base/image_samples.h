@@ -21,15 +21,17 @@ inline Image8 picture(int width = 23, int height = 17, int channels = 3) {
   return image;
 }
 
-/// The image as a file of a format, by OpenImageIO's name of it.
+/// The image as a file of a format, by OpenImageIO's name of it. The orientation is noted, and the pixels are
+/// stored as they are.
 inline std::string encoded(const std::string& format, const Image8& image,
-                           const std::string& compression = "") {
+                           const std::string& compression = "", int orientation = 1) {
   std::vector<unsigned char> bytes;
   OIIO::Filesystem::IOVecOutput memory(bytes);
   auto output = OIIO::ImageOutput::create(format, &memory);
   OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:UnassociatedAlpha", 1);
   if (!compression.empty()) spec.attribute("compression", compression);
+  if (orientation != 1) spec.attribute("Orientation", orientation);
   if (!output || !output->open("memory." + format, spec) ||
       !output->write_image(OIIO::TypeDesc::UINT8, image.data.data()) || !output->close())
     throw std::runtime_error("cannot encode " + format);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <limits>
 
+#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,10 +26,11 @@ class Images : public ::testing::Test {
     view_.name = "north";
   }
 
-  Image render(const std::string& pattern = "{scene}-{view}.png") {
+  Image render(const std::string& pattern = "{scene}-{view}.png", const std::string& layer = "") {
     const Technique technique = images_technique();
-    const ParamValues params = resolve_params(technique.params, technique.presets, "",
-                                              {{"pattern", (folder_.path() / pattern).string()}}, "test");
+    const ParamValues params =
+        resolve_params(technique.params, technique.presets, "",
+                       {{"pattern", (folder_.path() / pattern).string()}, {"layer", layer}}, "test");
     const FrameRequest request{
         .scene = scene_, .view = view_, .width = 3, .height = 2, .samples = 1, .buffers = {}};
     FrameContext frame(request, nullptr, nullptr);
@@ -59,6 +61,25 @@ TEST_F(Images, KeepsAlpha) {
   write_png(folder_.path() / "hall-north.png", picture);
   EXPECT_EQ(render().pixel(1, 1)[3], 0);
   EXPECT_EQ(render().pixel(0, 1)[3], 1);
+}
+
+TEST_F(Images, ShowsColourOverBlack) {
+  Image8 picture(3, 2, 4, 255);
+  picture.pixel(1, 1)[3] = 0;
+  write_png(folder_.path() / "hall-north.png", picture);
+  EXPECT_EQ(render().pixel(1, 1)[0], 0);
+  EXPECT_EQ(render().pixel(0, 1)[0], 1);
+}
+
+TEST_F(Images, TakesTheLayerThatIsNamed) {
+  OIIO::ImageSpec spec(3, 2, 2, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = {"direct.Y", "beauty.Y"};
+  auto output = OIIO::ImageOutput::create("openexr");
+  ASSERT_TRUE(output->open((folder_.path() / "hall-north.exr").string(), spec));
+  ASSERT_TRUE(output->write_image(OIIO::TypeDesc::FLOAT, std::vector<float>(12, 0.5f).data()) &&
+              output->close());
+  EXPECT_EQ(render("{scene}-{view}.exr", "beauty").pixel(0, 0)[1], 0.5f);
+  EXPECT_THAT([&] { render("{scene}-{view}.exr"); }, ThrowsMessage<Error>(HasSubstr("'beauty', 'direct'")));
 }
 
 TEST_F(Images, TakesExrAsLinearLight) {

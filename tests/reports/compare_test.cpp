@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -125,6 +126,49 @@ TEST_F(Compare, MaskIsTheReferencesAlpha) {
   const CompareResult result = compare_files(options);
   EXPECT_EQ(result.mask_pixels, 1u);
   EXPECT_THAT(result.mask_source, AllOf(HasSubstr("alpha of"), HasSubstr("a.exr")));
+}
+
+TEST_F(Compare, TellsOfAlphaThatDiffers) {
+  Image opaque(2, 1, 4, 0.5f), clear = opaque;
+  for (int x = 0; x < 2; ++x) opaque.pixel(x, 0)[3] = 1;
+  clear.pixel(0, 0)[3] = 1, clear.pixel(1, 0)[3] = 0.2f;
+  const CompareOptions options{.reference = exr("a.exr", opaque), .image = exr("b.exr", clear)};
+  EXPECT_EQ(value(options, "mean_error"), 0) << "seen over black they are the same";
+  EXPECT_EQ(compare_files(options).alpha, (AlphaDifference{.pixels = 1, .largest = 204}));
+  const auto plain = exr("c.exr", first_channels(opaque, 3));
+  EXPECT_EQ(compare_files({.reference = options.reference, .image = plain}).alpha, AlphaDifference());
+  EXPECT_EQ(compare_files({.reference = plain, .image = options.image}).alpha.pixels, 1u);
+}
+
+TEST_F(Compare, SeesColourOverBlack) {
+  Image8 opaque(2, 1, 4, 255), clear = opaque;
+  clear.pixel(1, 0)[3] = 0;
+  const CompareOptions options{.reference = png("a.png", opaque), .image = png("b.png", clear)};
+  EXPECT_EQ(value(options, "mean_error"), 127.5);
+  EXPECT_EQ(compare_files(options).alpha.pixels, 1u);
+}
+
+/// A file whose layers `one` and `two` are of a grey each.
+void write_layers(const std::filesystem::path& file, float one, float two) {
+  OIIO::ImageSpec spec(2, 1, 2, OIIO::TypeDesc::FLOAT);
+  spec.channelnames = {"one.Y", "two.Y"};
+  const float pixels[] = {one, two, one, two};
+  auto output = OIIO::ImageOutput::create("openexr");
+  ASSERT_TRUE(output->open(file.string(), spec) && output->write_image(OIIO::TypeDesc::FLOAT, pixels) &&
+              output->close());
+}
+
+TEST_F(Compare, ReadsTheLayersThatAreNamed) {
+  write_layers(file("a.exr"), 0, 1);
+  write_layers(file("b.exr"), 1, 0);
+  CompareOptions options{.reference = file("a.exr"), .image = file("b.exr")};
+  EXPECT_THAT(error(options), AllOf(HasSubstr("'one', 'two'"), HasSubstr("a.exr")));
+  options.layer = "one";
+  EXPECT_EQ(value(options, "mean_error"), 255);
+  options.reference_layer = "two";
+  EXPECT_EQ(value(options, "mean_error"), 0);
+  options.reference = png("white.png", row_of({{255, 255, 255}, {255, 255, 255}}));
+  EXPECT_EQ(value(options, "mean_error"), 0) << "a file without layers is its picture";
 }
 
 TEST_F(Compare, AMaskFileCountsWhereItIsNotBlack) {
