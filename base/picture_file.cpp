@@ -1,5 +1,6 @@
 #include "base/picture_file.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -80,10 +81,13 @@ std::vector<FilePart> parts_of(OIIO::ImageInput& input, const ImageKind& kind, s
   std::vector<FilePart> parts(count);
   for (std::size_t i = 0; i < count; ++i) {
     const OIIO::ImageSpec spec = input.spec(int(i), 0);
-    if (count == 1) check_flat(spec, file);
     parts[i].name = spec.get_string_attribute("oiio:subimagename");
     if (!spec.deep) parts[i].channels = channel_names(spec, kind);
   }
+  // An error of a part that is not looked at would be taken for one of the pixels that are.
+  static_cast<void>(input.geterror());
+  if (std::ranges::all_of(parts, &std::vector<std::string>::empty, &FilePart::channels))
+    check_flat(input.spec(0, 0), file);
   return parts;
 }
 

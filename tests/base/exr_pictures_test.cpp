@@ -1,5 +1,6 @@
 #include <fstream>
 
+#include <OpenImageIO/deepdata.h>
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -131,6 +132,21 @@ TEST_F(ExrPictures, PartsAreLayers) {
   EXPECT_THAT(read_image(file_, "albedo").pixel(3, 4), ElementsAre(0.25f, 0.5f, 0.75f));
   const Image image = read_image(file_, "beauty");
   EXPECT_THAT(image.pixel(3, 4), ElementsAre(403, 10403, 20403, 30403));
+}
+
+TEST_F(ExrPictures, DeepPartsAreNoPictures) {
+  ImageSpec left = spec_of(3, 2, {"R", "G", "B"});
+  left.deep = true;
+  ImageSpec right = left;
+  left.attribute("oiio:subimagename", "left");
+  right.attribute("oiio:subimagename", "right");
+  const ImageSpec specs[] = {left, right};
+  auto output = OIIO::ImageOutput::create("openexr");
+  ASSERT_TRUE(output->open(file_.string(), 2, specs) && output->write_deep_image(OIIO::DeepData(left)));
+  ASSERT_TRUE(output->open(file_.string(), right, OIIO::ImageOutput::AppendSubimage) &&
+              output->write_deep_image(OIIO::DeepData(right)) && output->close());
+  output.reset();
+  EXPECT_THAT(reading(), ThrowsMessage<Error>(HasSubstr("is a deep image")));
 }
 
 TEST_F(ExrPictures, TheFinestOfSeveralResolutionsIsRead) {
