@@ -52,6 +52,8 @@ RandomViewsRequest read_random_views(JsonObject object) {
   request.count = int(object.at("count").integer(1, kMaxRandomViews));
   if (const auto seed = object.find("seed")) request.seed = std::uint64_t(seed->integer(0));
   if (const auto fov = object.find("fov")) request.fov = fov->number(1, 170);
+  if (const auto version = object.find("version"))
+    request.version = int(version->integer(1, kNewestGenerator));
   object.finish();
   return request;
 }
