@@ -165,7 +165,8 @@ Job make_concrete(const Job& job, const std::filesystem::path& out, const DrawVi
     if (!request) continue;
     check_inside(out, stored_cameras(scene).parent_path());
     const auto file = out / stored_cameras(scene);
-    write_file_atomic(file, camera_script_text(draw_views(scene, *request, double(job.width) / job.height)));
+    const auto views = draw_views(scene, *request, double(job.width) / job.height);
+    write_file_atomic(file, camera_script_text(views, DrawnBy{request->seed, request->version}));
     scene.views = read_camera_script(file);
     make_still(scene);
   }

@@ -140,6 +140,7 @@ std::vector<View> draw_views(const Scene& scene, const RandomViewsRequest& reque
   options.seed = request.seed;
   options.fov = glm::radians(float(request.fov));
   options.aspect = float(aspect);
+  options.version = request.version;
   return draw_random_views(scene, options, [&rays](const glm::vec3& origin, const glm::vec3& direction) {
     return rays.closest_hit(origin, direction);
   });

@@ -12,16 +12,18 @@
 
 #include "base/params.h"
 #include "reports/verdict.h"
+#include "scene/random_views.h"
 #include "scene/scene.h"
 
 /// What a job file says (jobs/FORMAT.md), with defaults filled in and every name checked.
 namespace lightbench {
 
-/// Views that are drawn at random, the same for the same seed.
+/// Views that are drawn at random, the same for the same seed and version.
 struct RandomViewsRequest {
   int count = 1;
   std::uint64_t seed = 1;
   double fov = 60;  ///< vertical, degrees
+  int version = kNewestGenerator;
 };
 
 /// All views of a camera script, or those that are named.

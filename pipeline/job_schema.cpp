@@ -133,7 +133,9 @@ Json scene_schema() {
           Json::array({names, list_schema(view_schema(), "without 'cameras': views written out", 1)})}}},
        {"random", object_schema({{"count", range_schema("integer", 1, 10000, "how many views")},
                                  {"seed", {{"type", "integer"}, {"minimum", 0}, {"default", 1}}},
-                                 {"fov", range_schema("number", 1, 170, "vertical, degrees; default 60")}},
+                                 {"fov", range_schema("number", 1, 170, "vertical, degrees; default 60")},
+                                 {"version", range_schema("integer", 1, kNewestGenerator,
+                                                          "which generator draws; default: the newest")}},
                                 {"count"})},
        {"sequence", sequence_schema()}},
       {"scene"});

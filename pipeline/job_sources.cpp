@@ -52,6 +52,8 @@ RandomViewsRequest read_random_views(const JsonValue& value, ProblemList& proble
   keys.required("count", [&](const JsonValue& v) { request.count = int(v.integer(1, kMaxRandomViews)); });
   keys.optional("seed", [&](const JsonValue& v) { request.seed = std::uint64_t(v.integer(0)); });
   keys.optional("fov", [&](const JsonValue& v) { request.fov = v.number(1, 170); });
+  keys.optional("version",
+                [&](const JsonValue& v) { request.version = int(v.integer(1, kNewestGenerator)); });
   keys.finish();
   return request;
 }

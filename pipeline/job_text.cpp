@@ -45,7 +45,8 @@ Json scene_json(const JobScene& scene) {
   if (const auto* views = std::get_if<std::vector<View>>(&scene.views))
     json["views"] = parse_json_text(camera_script_text(*views)).at("views");
   if (const auto* random = std::get_if<RandomViewsRequest>(&scene.views))
-    json["random"] = {{"count", random->count}, {"seed", random->seed}, {"fov", random->fov}};
+    json["random"] = {
+        {"count", random->count}, {"seed", random->seed}, {"fov", random->fov}, {"version", random->version}};
   if (const auto& sequence = scene.sequence)
     json["sequence"] = {{"start", sequence->start}, {"frames", sequence->frames}, {"rate", sequence->rate}};
   return json;

@@ -102,8 +102,9 @@ std::vector<View> SceneChildren::draw_views(const Job& job, const JobScene& scen
   const ProcessResult result = run_child(
       child_options({program_.string(), "cameras", std::filesystem::absolute(scene.file).string(),
                      fmt::format("--random={}", request.count), fmt::format("--seed={}", request.seed),
-                     fmt::format("--fov={}", request.fov), fmt::format("--size={}x{}", job.width, job.height),
-                     fmt::format("--time={}", time), "--output=" + file.string()}));
+                     fmt::format("--fov={}", request.fov), fmt::format("--generator={}", request.version),
+                     fmt::format("--size={}x{}", job.width, job.height), fmt::format("--time={}", time),
+                     "--output=" + file.string()}));
   if (!result.ok()) throw Error(message_of(result));
   return read_camera_script(file);
 }

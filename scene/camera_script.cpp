@@ -102,6 +102,13 @@ SequenceFrame read_frame(JsonObject object) {
   return frame;
 }
 
+// A script may come from a newer generator than is known here.
+void check_drawn(JsonObject object) {
+  object.at("seed").number(0);  // JSON holds no whole number beyond 2^53 exactly
+  object.at("version").integer(1);
+  object.finish();
+}
+
 std::string camera_text(const Camera& c) {
   return fmt::format("\"position\": {}, \"look_at\": {}, \"up\": {}, \"fov\": {}", array(c.position),
                      array(c.look_at), array(c.up), degrees_text(c.fov));
@@ -149,6 +156,7 @@ View read_view(const JsonValue& value) {
 std::vector<View> read_camera_script(const std::filesystem::path& file) {
   JsonObject object = JsonValue::parse_file(file).object();
   const JsonValue list = object.at("views");
+  if (const auto drawn = object.find("drawn")) check_drawn(drawn->object());
   object.finish();
   std::vector<View> views;
   std::set<std::string> names;
@@ -161,8 +169,11 @@ std::vector<View> read_camera_script(const std::filesystem::path& file) {
   return views;
 }
 
-std::string camera_script_text(const std::vector<View>& views) {
-  std::string text = "{\n  \"views\": [";
+std::string camera_script_text(const std::vector<View>& views, const std::optional<DrawnBy>& drawn) {
+  std::string text = "{\n";
+  if (drawn)
+    text += fmt::format("  \"drawn\": {{\"seed\": {}, \"version\": {}}},\n", drawn->seed, drawn->version);
+  text += "  \"views\": [";
   const char* separator = "\n";
   for (const View& view : views) {
     text += separator + view_text(view);

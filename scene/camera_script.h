@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,13 @@ std::vector<View> read_camera_script(const std::filesystem::path& file);
 /// One view object of a script or a job.
 View read_view(const JsonValue& value);
 
+/// How a script's views were drawn at random, for its readers; nothing depends on it.
+struct DrawnBy {
+  std::uint64_t seed = 1;
+  int version = 1;  ///< of the generator (scene/random_views.h)
+};
+
 /// The script as text that `read_camera_script` reads back to the same floats.
-std::string camera_script_text(const std::vector<View>& views);
+std::string camera_script_text(const std::vector<View>& views, const std::optional<DrawnBy>& drawn = {});
 
 }  // namespace lightbench

@@ -72,6 +72,43 @@ float distance_to_nearest_surface(const Scene& scene, const glm::vec3& p) {
   return std::sqrt(best);
 }
 
+namespace {
+
+constexpr std::size_t kGroupSize = 64;
+
+std::array<glm::vec3, 3> world_triangle(const Scene& scene, const Entity& entity, std::size_t index) {
+  const Mesh& mesh = scene.meshes[std::size_t(entity.mesh)];
+  const glm::uvec3& t = mesh.triangles[index];
+  return {transform_point(entity.transform, mesh.positions[t.x]),
+          transform_point(entity.transform, mesh.positions[t.y]),
+          transform_point(entity.transform, mesh.positions[t.z])};
+}
+
+}  // namespace
+
+NearestSurface::NearestSurface(const Scene& scene) : scene_(scene) {
+  for (std::size_t e = 0; e < scene.entities.size(); ++e) {
+    const std::size_t count = scene.meshes[std::size_t(scene.entities[e].mesh)].triangles.size();
+    for (std::size_t first = 0; first < count; first += kGroupSize) {
+      Group& group = groups_.emplace_back(Group{e, first, std::min(first + kGroupSize, count), {}});
+      for (std::size_t i = first; i < group.end; ++i)
+        for (const glm::vec3& corner : world_triangle(scene, scene.entities[e], i)) group.box.add(corner);
+    }
+  }
+}
+
+float NearestSurface::distance(const glm::vec3& p, float limit) const {
+  const float farthest = limit * limit;
+  float best = farthest;
+  for (const Group& group : groups_) {
+    if (squared_distance_to_box(p, group.box.min, group.box.max) >= best) continue;
+    for (std::size_t i = group.first; i < group.end; ++i)
+      best = std::min(
+          best, squared_distance_to_triangle(p, world_triangle(scene_, scene_.entities[group.entity], i)));
+  }
+  return best < farthest ? std::min(std::sqrt(best), limit) : limit;
+}
+
 std::vector<glm::vec3> corners(const Bounds& b) {
   std::vector<glm::vec3> result;
   for (unsigned i = 0; i < 8; ++i)

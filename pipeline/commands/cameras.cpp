@@ -14,6 +14,7 @@
 #include "reports/value_text.h"
 #include "scene/camera_script.h"
 #include "scene/motion.h"
+#include "scene/random_views.h"
 #include "scene/scene_file.h"
 #include "scene/scene_json.h"
 
@@ -25,6 +26,7 @@ struct CamerasParams {
   int random = 1;
   std::uint64_t seed = 1;
   double fov = 60;
+  int generator = kNewestGenerator;
   double time = 0;
   std::string size = "1024x768";
   std::string output;
@@ -35,9 +37,9 @@ ExitCode run_cameras(const CamerasParams& params) {
   Scene scene = load_scene(params.scene);
   set_time(scene, params.time);
   check_outputs(std::array{NamedFile{"-o", params.output}}, named("a file of the scene", file_paths(scene)));
-  const auto views =
-      draw_views(scene, {params.random, params.seed, params.fov}, double(size.width) / size.height);
-  const std::string text = camera_script_text(views);
+  const auto views = draw_views(scene, {params.random, params.seed, params.fov, params.generator},
+                                double(size.width) / size.height);
+  const std::string text = camera_script_text(views, DrawnBy{params.seed, params.generator});
   if (params.output.empty()) {
     std::printf("%s", text.c_str());
   } else {
@@ -63,14 +65,19 @@ void add_cameras_command(CLI::App& app, Action& action) {
   command->add_option("--fov", params->fov, "Vertical field of view, degrees")
       ->check(number_between(1.0, 170.0))
       ->capture_default_str();
+  command->add_option("--generator", params->generator, "Version of what draws them, as 'version' in a job")
+      ->check(number_between(1, kNewestGenerator))
+      ->capture_default_str();
   command->add_option("--time", params->time, "Seconds: where entities with keyframes stand")
       ->check(number_between(-kLargestTime, kLargestTime))
       ->capture_default_str();
   command->add_option("--size", params->size, "Image size whose aspect ratio counts")->capture_default_str();
   command->add_option("-o,--output", params->output, "Camera script to write; default: standard output");
   command->footer(
-      R"(A view is valid when rays say that it is not inside geometry, has something near enough in sight, and
-is not mostly background.
+      R"(A view is valid when it keeps clear of all surfaces, nothing near or flat fills it, it is not mostly
+background, and light reaches what it shows. Views stand at the height of eyes where there is a floor, look at
+a single object from around, and are spread over the scene. The same seed, generator and scene give the same
+views; generator 1 draws those of before.
 
 Example:
   lightbench cameras room.json --random 40 --seed 7 -o room-cameras.json)");

@@ -114,6 +114,7 @@ const std::vector<std::vector<std::string>> kNumberOptions = {
     {"cameras", "scene.json", "--fov"},
     {"cameras", "scene.json", "--random"},
     {"cameras", "scene.json", "--seed"},
+    {"cameras", "scene.json", "--generator"},
     {"bake", "scene.json", "--threads"},
     {"bench", "job.json", "--rounds"},
     {"run", "job.json", "-j"},

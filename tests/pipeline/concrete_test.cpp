@@ -62,17 +62,20 @@ TEST(Concrete, DrawnViewsAreStoredAndReadBack) {
   const TemporaryFolder out;
   const auto text =
       replaced(kJobText, R"("views": [{"name": "a", "position": [1, 0, 0], "look_at": [0, 0, 0]}])",
-               R"("random": {"count": 1, "seed": 5, "fov": 40})");
+               R"("random": {"count": 1, "seed": 5, "fov": 40, "version": 1})");
   const Job job = make_concrete(parse_job(text, "/jobs/job.json"), out.path(),
                                 [](const JobScene& scene, const RandomViewsRequest& request, double aspect) {
                                   EXPECT_EQ(scene.name, "two");
                                   EXPECT_EQ(request.seed, 5u);
+                                  EXPECT_EQ(request.version, 1);
                                   EXPECT_DOUBLE_EQ(aspect, 8.0 / 6.0);
                                   return std::vector<View>{{"drawn", {{0.1f, 0.2f, 0.3f}, {0, 0, 0}}}};
                                 });
   EXPECT_EQ(views_of(job.scenes[1])[0].name, "drawn");
   const auto stored = read_camera_script(out.path() / "cameras" / "two.json");
   EXPECT_EQ(stored[0].camera.position, views_of(job.scenes[1])[0].camera.position);
+  EXPECT_THAT(read_file(out.path() / "cameras" / "two.json"),
+              HasSubstr(R"("drawn": {"seed": 5, "version": 1})"));
 }
 
 /// The job with a gate on the views that match.

@@ -169,6 +169,9 @@ const BadJob kBadJobs[] = {
      "$.difference.heat_scale"},
     {"cameras and random", R"("name": "two",)", R"("name": "two", "random": {"count": 1},)",
      "$.scenes[1]: needs"},
+    {"random views of a generator that is not there",
+     R"("views": [{"name": "a", "position": [1, 0, 0], "look_at": [0, 0, 0]}])",
+     R"("random": {"count": 1, "version": 99})", "$.scenes[1].random.version: must be between 1 and"},
     {"view names without a script", R"([{"name": "a", "position": [1, 0, 0], "look_at": [0, 0, 0]}])",
      R"(["a"])", "$.scenes[1].views[0]: must be an object"},
     {"not JSON", R"("metrics")", R"(metrics)", "/jobs/job.json:11"},
@@ -202,6 +205,18 @@ TEST(JobFile, ASequenceReadsBackFromItsText) {
   EXPECT_EQ(again.scenes[0].sequence->start, 0.1);
   EXPECT_EQ(again.scenes[0].sequence->frames, 5);
   EXPECT_EQ(again.scenes[0].sequence->rate, 24);
+}
+
+TEST(JobFile, RandomViewsReadBackFromTheirText) {
+  const auto version_of = [](const Job& job) {
+    return std::get<RandomViewsRequest>(job.scenes[0].views).version;
+  };
+  const std::string text = R"({"scenes": [{"scene": "s.json", "random": {"count": 1VERSION}}],
+                               "variants": [{"technique": "direct"}]})";
+  const auto old = parse_job(replaced(text, "VERSION", R"(, "version": 1)"), "/job.json");
+  EXPECT_EQ(version_of(old), 1);
+  EXPECT_EQ(version_of(parse_job(job_text(old), "/job.json")), 1);
+  EXPECT_EQ(version_of(parse_job(replaced(text, "VERSION", ""), "/job.json")), kNewestGenerator);
 }
 
 /// The job with a variant of technique images as a file in `folder`.

@@ -72,5 +72,16 @@ TEST_F(SceneChildrenOf, ViewsThatCannotBeDrawnTellWhy) {
   EXPECT_THROW(children("kill -KILL $$").draw_views(job_, scene, {}), Error);
 }
 
+TEST_F(SceneChildrenOf, TheChildThatDrawsIsToldWhichGenerator) {
+  RandomViewsRequest request;
+  request.version = 1;
+  try {
+    children("echo \"$@\" >&2; exit 3").draw_views(job_, job_.scenes.front(), request);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("--generator=1"));
+  }
+}
+
 }  // namespace
 }  // namespace lightbench

@@ -47,6 +47,26 @@ TEST(CameraScript, RejectsAnUnknownKeyWithTheNearestOne) {
               AllOf(HasSubstr("c.json: $.views[0]"), HasSubstr("did you mean 'fov'")));
 }
 
+TEST(CameraScript, SaysHowItsViewsWereDrawn) {
+  const SceneTestFiles files;
+  const std::vector<View> views{{"a", {{1, 2, 3}, {4, 5, 6}}}};
+  const std::string text = camera_script_text(views, DrawnBy{18446744073709551615u, 2});
+  EXPECT_THAT(text, HasSubstr(R"("drawn": {"seed": 18446744073709551615, "version": 2})"));
+  EXPECT_EQ(read_camera_script(files.write("c.json", text))[0].camera.position, glm::vec3(1, 2, 3));
+}
+
+TEST(CameraScript, RejectsWrongWordsOnHowItWasDrawn) {
+  const SceneTestFiles files;
+  const auto file =
+      files.write("c.json", R"({"drawn": {"seed": 1, "version": 0}, "views": [)" + view_with("") + "]}");
+  try {
+    read_camera_script(file);
+    FAIL() << "there is no version 0";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("c.json: $.drawn.version"));
+  }
+}
+
 TEST(CameraScript, RejectsTwoViewsOfOneName) {
   EXPECT_THAT(error_of_script(view_with("") + "," + view_with("")),
               AllOf(HasSubstr("$.views[1]"), HasSubstr("second view named 'a'")));
