@@ -89,7 +89,7 @@ class ObjLoader {
     if (!m) return {};
     if (material.diffuse_texture == kNoTexture) return m->cutout_map.placement;
     if (material.cutout_texture != kNoTexture && m->cutout_map.placement != m->diffuse_map.placement)
-      unshown_["-s and -o of map_d, which differ from those of map_Kd,"].push_back(m->name);
+      unshown_["-s and -o of map_d (those of map_Kd are used)"].push_back(m->name);
     return m->diffuse_map.placement;
   }
 
@@ -104,13 +104,20 @@ class ObjLoader {
       unshown_["the colour of Ks (its mean is used)"].push_back(m.name);
     for (const std::string& kind : std::set(m.unshown.begin(), m.unshown.end()))
       unshown_[kind].push_back(m.name);
+    read_textures(material, m);
+  }
+
+  void read_textures(Material& material, const MtlMaterial& m) {
     const fs::path folder = m.file.parent_path();
+    const auto where = [&](const MtlTexture& texture) { return at_line(m.file, texture.line); };
     if (!m.diffuse_map.name.empty())
-      material.diffuse_texture =
-          textures_.color(m.diffuse_map.name, folder, at_line(m.file, m.diffuse_map.line));
-    if (!m.cutout_map.name.empty())
-      material.cutout_texture = textures_.cutout(
-          m.cutout_map.name, folder, at_line(m.file, m.cutout_map.line), material.diffuse_texture);
+      material.diffuse_texture = textures_.color(m.diffuse_map.name, folder, where(m.diffuse_map));
+    if (m.cutout_map.name.empty()) return;
+    material.cutout_texture =
+        textures_.cutout(m.cutout_map.name, folder, where(m.cutout_map), material.diffuse_texture);
+    if (material.diffuse_texture == kNoTexture || material.cutout_texture != kNoTexture) return;
+    if (textures_.color(m.cutout_map.name, folder, where(m.cutout_map)) == material.diffuse_texture)
+      unshown_["map_d (the file of map_Kd, which has no alpha)"].push_back(m.name);
   }
 
   void build(const ObjData& data, const MeshOptions& options) {
