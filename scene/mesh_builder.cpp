@@ -2,14 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
+#include "scene/index_table.h"
+#include "scene/model_origin.h"
+#include "scene/placed_uvs.h"
+#include "scene/repeated_faces.h"
 #include "scene/smooth_normals.h"
+#include "scene/smoothing_groups.h"
 #include "scene/triangulate.h"
+#include "scene/welded_points.h"
 
 namespace lightbench {
 namespace {
@@ -20,58 +27,16 @@ constexpr double kSmallestHeight = 1e-6;
 
 constexpr std::uint32_t kNone = ~0u;
 
-std::uint64_t mix(std::uint64_t hash, std::uint32_t value) {
-  hash = (hash ^ value) * 0x9E3779B97F4A7C15ull;
-  return hash ^ (hash >> 29);
-}
-
-// A hash table from keys that the caller keeps to 32-bit values: open addressing, no removal.
-class IndexTable {
- public:
-  explicit IndexTable(std::size_t capacity) : slots_(std::bit_ceil(2 * capacity + 2), kNone) {}
-
-  // The stored index for which `equal` holds, or `index`, which is then stored.
-  template <typename Equal>
-  std::uint32_t find_or_insert(std::uint64_t hash, std::uint32_t index, Equal equal) {
-    std::size_t slot = std::size_t(hash) & (slots_.size() - 1);
-    while (slots_[slot] != kNone) {
-      if (equal(slots_[slot])) return slots_[slot];
-      slot = (slot + 1) & (slots_.size() - 1);
-    }
-    return slots_[slot] = index;
-  }
-
- private:
-  std::vector<std::uint32_t> slots_;
-};
-
-// Positions that are equal get the same number; `points` holds each once.
-struct Welded {
-  std::vector<glm::vec3> points;
-  std::vector<std::uint32_t> point_of_position;
-};
-
-Welded weld(const std::vector<glm::vec3>& positions) {
-  Welded result;
-  result.point_of_position.reserve(positions.size());
-  IndexTable table(positions.size());
-  for (const glm::vec3& p : positions) {
-    const glm::vec3 q = p + 0.0f;  // -0 becomes 0
-    std::uint64_t hash = 0;
-    for (int k = 0; k < 3; ++k) hash = mix(hash, std::bit_cast<std::uint32_t>(q[k]));
-    const auto next = std::uint32_t(result.points.size());
-    const std::uint32_t point =
-        table.find_or_insert(hash, next, [&](std::uint32_t i) { return result.points[i] == q; });
-    if (point == next) result.points.push_back(q);
-    result.point_of_position.push_back(point);
-  }
-  return result;
+std::vector<glm::vec3> positions_from(const ObjData& data, const glm::dvec3& origin) {
+  std::vector<glm::vec3> positions;
+  positions.reserve(data.positions.size());
+  for (const glm::dvec3& p : data.positions) positions.emplace_back(p - origin);
+  return positions;
 }
 
 struct Triangle {
   std::array<std::uint32_t, 3> corners;  // into ObjData::corners
-  std::int32_t material;
-  std::int32_t shape;
+  std::uint32_t face;                    // into ObjData::faces
 };
 
 bool is_degenerate(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -85,13 +50,19 @@ bool is_degenerate(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
 class MeshBuilder {
  public:
   MeshBuilder(const ObjData& data, const MeshOptions& options)
-      : data_(data), options_(options), welded_(weld(data.positions)) {}
+      : data_(data),
+        options_(options),
+        origin_(model_origin(data)),
+        positions_(positions_from(data, origin_)),
+        welded_(weld(positions_)),
+        uvs_(data, options.material_placement) {}
 
   BuiltMeshes run() {
     cut_faces();
     drop_duplicates();
     compute_normals();
     build();
+    result_.origin = origin_;
     return std::move(result_);
   }
 
@@ -100,24 +71,33 @@ class MeshBuilder {
     return welded_.point_of_position[std::size_t(data_.corners[corner].position)];
   }
 
+  const ObjFace& face(const Triangle& t) const { return data_.faces[t.face]; }
+
   void cut_faces() {
-    std::vector<glm::vec3> polygon;
-    std::vector<glm::uvec3> cut;
+    const std::vector<bool> repeated =
+        repeated_faces(data_, welded_.point_of_position, options_.material_has_cutout);
     triangles_.reserve(data_.faces.size());
-    for (const ObjFace& face : data_.faces) {
-      polygon.clear();
-      cut.clear();
-      for (std::uint32_t i = 0; i < face.corner_count; ++i)
-        polygon.push_back(welded_.points[point(face.first_corner + i)]);
-      triangulate(polygon, cut);
-      for (const glm::uvec3& t : cut) {
-        if (is_degenerate(polygon[t.x], polygon[t.y], polygon[t.z]))
-          ++result_.statistics.degenerate_triangles;
-        else
-          triangles_.push_back({{face.first_corner + t.x, face.first_corner + t.y, face.first_corner + t.z},
-                                face.material,
-                                face.shape});
-      }
+    for (std::uint32_t i = 0; i < data_.faces.size(); ++i) {
+      if (repeated[i])
+        result_.statistics.duplicate_triangles += data_.faces[i].corner_count - 2;
+      else
+        cut_face(i);
+    }
+  }
+
+  void cut_face(std::uint32_t index) {
+    const ObjFace& face = data_.faces[index];
+    polygon_.clear();
+    cut_.clear();
+    for (std::uint32_t i = 0; i < face.corner_count; ++i)
+      polygon_.push_back(welded_.points[point(face.first_corner + i)]);
+    if (!triangulate(polygon_, cut_)) ++result_.statistics.crossing_faces;
+    for (const glm::uvec3& t : cut_) {
+      const std::uint32_t first = face.first_corner;
+      if (is_degenerate(polygon_[t.x], polygon_[t.y], polygon_[t.z]))
+        ++result_.statistics.degenerate_triangles;
+      else
+        triangles_.push_back({{first + t.x, first + t.y, first + t.z}, index});
     }
   }
 
@@ -127,13 +107,9 @@ class MeshBuilder {
     return points;
   }
 
-  bool has_cutout(const Triangle& t) const {
-    return t.material >= 0 && options_.material_has_cutout[std::size_t(t.material)];
-  }
-
   bool same_place(const Triangle& a, const Triangle& b) const {
-    const bool may_show_both = a.material != b.material && (has_cutout(a) || has_cutout(b));
-    return !may_show_both && sorted_points(a) == sorted_points(b);
+    return !may_both_show(face(a).material, face(b).material, options_.material_has_cutout) &&
+           sorted_points(a) == sorted_points(b);
   }
 
   void drop_duplicates() {
@@ -141,7 +117,7 @@ class MeshBuilder {
     std::uint32_t kept = 0;
     for (const Triangle& t : triangles_) {
       std::uint64_t hash = 0;
-      for (const std::uint32_t p : sorted_points(t)) hash = mix(hash, p);
+      for (const std::uint32_t p : sorted_points(t)) hash = mix_hash(hash, p);
       const std::uint32_t found =
           table.find_or_insert(hash, kept, [&](std::uint32_t i) { return same_place(triangles_[i], t); });
       if (found == kept)
@@ -153,16 +129,27 @@ class MeshBuilder {
   }
 
   void compute_normals() {
-    std::vector<bool> wanted(3 * triangles_.size());
-    normals_.resize(wanted.size());
+    normals_.resize(3 * triangles_.size());
+    std::vector<bool> by_crease(normals_.size());
+    std::vector<bool> by_group(normals_.size());
     std::vector<glm::uvec3> points(triangles_.size());
-    for (std::size_t i = 0; i < triangles_.size(); ++i)
+    std::vector<std::int32_t> groups;
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      const std::int32_t smoothing = face(triangles_[i]).smoothing;
+      groups.push_back(smoothing);
       for (std::size_t k = 0; k < 3; ++k) {
         points[i][int(k)] = point(triangles_[i].corners[k]);
-        wanted[3 * i + k] = !given_normal(triangles_[i].corners[k], normals_[3 * i + k]);
+        if (!given_normal(triangles_[i].corners[k], normals_[3 * i + k]))
+          (smoothing == kSmoothingUnsaid ? by_crease : by_group)[3 * i + k] = true;
       }
-    if (std::find(wanted.begin(), wanted.end(), true) == wanted.end()) return;
-    const auto computed = smooth_normals(welded_.points, points, options_.crease_angle, wanted);
+    }
+    if (std::find(by_crease.begin(), by_crease.end(), true) != by_crease.end())
+      fill_normals(by_crease, smooth_normals(welded_.points, points, options_.crease_angle, by_crease));
+    if (std::find(by_group.begin(), by_group.end(), true) != by_group.end())
+      fill_normals(by_group, smoothing_group_normals(welded_.points, points, groups, by_group));
+  }
+
+  void fill_normals(const std::vector<bool>& wanted, const std::vector<glm::vec3>& computed) {
     for (std::size_t i = 0; i < normals_.size(); ++i)
       if (wanted[i]) normals_[i] = computed[i];
   }
@@ -185,13 +172,14 @@ class MeshBuilder {
     std::vector<std::uint32_t> order(triangles_.size());
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const Triangle &s = triangles_[a], &t = triangles_[b];
+      const ObjFace &s = face(triangles_[a]), &t = face(triangles_[b]);
       return s.shape != t.shape ? s.shape < t.shape : s.material < t.material;
     });
     vertex_head_.assign(data_.positions.size(), kNone);
     for (std::size_t start = 0; start < order.size();) {
       std::size_t end = start;
-      while (end < order.size() && triangles_[order[end]].shape == triangles_[order[start]].shape) ++end;
+      const std::int32_t shape = face(triangles_[order[start]]).shape;
+      while (end < order.size() && face(triangles_[order[end]]).shape == shape) ++end;
       build_mesh({order.data() + start, order.data() + end});
       start = end;
     }
@@ -199,7 +187,7 @@ class MeshBuilder {
 
   void build_mesh(std::span<const std::uint32_t> order) {
     Mesh& mesh = result_.meshes.emplace_back();
-    mesh.name = data_.shapes[std::size_t(triangles_[order[0]].shape)];
+    mesh.name = data_.shapes[std::size_t(face(triangles_[order[0]]).shape)];
     mesh_has_uvs_ = std::any_of(order.begin(), order.end(), [&](std::uint32_t i) {
       const auto& c = triangles_[i].corners;
       return std::any_of(c.begin(), c.end(), [&](std::uint32_t k) { return data_.corners[k].uv >= 0; });
@@ -208,10 +196,12 @@ class MeshBuilder {
     vertex_next_.clear();
     for (const std::size_t i : order) {
       const Triangle& t = triangles_[i];
+      const std::int32_t material = face(t).material;
       glm::uvec3 indices;
-      for (std::size_t k = 0; k < 3; ++k) indices[int(k)] = vertex(mesh, t.corners[k], normals_[3 * i + k]);
-      if (mesh.parts.empty() || mesh.parts.back().material != t.material)
-        mesh.parts.push_back({t.material, std::uint32_t(mesh.triangles.size()), 0});
+      for (std::size_t k = 0; k < 3; ++k)
+        indices[int(k)] = vertex(mesh, t.corners[k], uvs_.at(t.corners[k], t.face), normals_[3 * i + k]);
+      if (mesh.parts.empty() || mesh.parts.back().material != material)
+        mesh.parts.push_back({material, std::uint32_t(mesh.triangles.size()), 0});
       mesh.triangles.push_back(indices);
       ++mesh.parts.back().triangle_count;
     }
@@ -220,15 +210,17 @@ class MeshBuilder {
   }
 
   // The mesh's vertex for a corner: vertices of one position form a chain.
-  std::uint32_t vertex(Mesh& mesh, std::uint32_t corner, const glm::vec3& normal) {
+  std::uint32_t vertex(Mesh& mesh, std::uint32_t corner, const glm::vec2& uv, const glm::vec3& normal) {
     const ObjCorner& c = data_.corners[corner];
     const auto position = std::size_t(c.position);
     for (std::uint32_t i = vertex_head_[position]; i != kNone; i = vertex_next_[i])
-      if (data_.corners[vertex_corner_[i]].uv == c.uv && mesh.normals[i] == normal) return i;
+      if (data_.corners[vertex_corner_[i]].uv == c.uv && mesh.normals[i] == normal &&
+          (!mesh_has_uvs_ || mesh.uvs[i] == uv))
+        return i;
     const auto index = std::uint32_t(mesh.positions.size());
-    mesh.positions.push_back(data_.positions[position]);
+    mesh.positions.push_back(positions_[position]);
     mesh.normals.push_back(normal);
-    if (mesh_has_uvs_) mesh.uvs.push_back(c.uv >= 0 ? data_.uvs[std::size_t(c.uv)] : glm::vec2(0));
+    if (mesh_has_uvs_) mesh.uvs.push_back(uv);
     if (!data_.colors.empty()) mesh.colors.push_back(data_.colors[position]);
     vertex_corner_.push_back(corner);
     vertex_next_.push_back(vertex_head_[position]);
@@ -238,8 +230,13 @@ class MeshBuilder {
 
   const ObjData& data_;
   const MeshOptions& options_;
-  const Welded welded_;
+  const glm::dvec3 origin_;
+  const std::vector<glm::vec3> positions_;
+  const WeldedPoints welded_;
+  const PlacedUvs uvs_;
   BuiltMeshes result_;
+  std::vector<glm::vec3> polygon_;  // of the face being cut
+  std::vector<glm::uvec3> cut_;
   std::vector<Triangle> triangles_;
   std::vector<glm::vec3> normals_;            // three a triangle
   std::vector<std::uint32_t> vertex_head_;    // of each position, in the mesh being built

@@ -4,6 +4,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace lightbench {
 
@@ -31,8 +33,16 @@ class NamedFiles {
   std::map<std::filesystem::path, Entries> folders_;
 };
 
+/// Whether there is a file of exactly that name, but for backslashes and quotes.
+bool is_named_exactly(const std::string& name, const std::filesystem::path& folder);
+
 /// Why `find` found nothing: "is missing", or "is not a regular file" of what has exactly that name.
 std::string why_not_found(const std::string& name, const std::filesystem::path& folder);
+
+/// The names of files on a line, which are separated by blanks and may have blanks: as long as can be where a
+/// file has exactly that name. One that is missing ends with `extension`, or before one that is there.
+std::vector<std::string> names_on_line(const std::string& text, const std::filesystem::path& folder,
+                                       std::string_view extension);
 
 /// The name with slashes and without quotes.
 std::string with_slashes(std::string name);

@@ -7,18 +7,26 @@
 
 #include <fmt/format.h>
 
-#include "base/error.h"
+#include "base/color.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "scene/material_libraries.h"
 #include "scene/mesh_builder.h"
-#include "scene/named_files.h"
 #include "scene/obj_parser.h"
 
 namespace lightbench {
 namespace fs = std::filesystem;
 namespace {
 
-using MaterialMap = std::map<std::string, MtlMaterial>;
+std::set<std::string> names_of(const std::vector<TextLine>& lines) {
+  std::set<std::string> names;
+  for (const TextLine& line : lines) names.insert(line.text);
+  return names;
+}
+
+void decode(std::vector<glm::vec3>& colors) {
+  for (glm::vec3& c : colors) c = {srgb_decode(c.x), srgb_decode(c.y), srgb_decode(c.z)};
+}
 
 class ObjLoader {
  public:
@@ -26,21 +34,18 @@ class ObjLoader {
       : file_(file),
         textures_(textures),
         problems_(problems),
-        missing_libraries_(problems, Problem::Severity::error, "material libraries that cannot be read",
-                           file.string()),
         unknown_materials_(problems, Problem::Severity::warning, "materials that no library has",
                            file.string()) {}
 
-  ObjModel run(float crease_angle) {
+  ObjModel run(const ObjOptions& options) {
     ObjData data;
     std::string hash = hash_while_reading(file_, [&] { data = parse_obj(file_, problems_); });
     model_.files.push_back({file_, std::move(hash)});
+    if (options.vertex_colors == VertexColors::srgb) decode(data.colors);
     if (data.shapes.size() > kMostMeshes) merge_shapes(data);
-    for (const TextLine& library : data.material_libraries) read_libraries(library);
-    std::vector<int> material_of_name;
-    for (const TextLine& use : data.materials) material_of_name.push_back(add_material(use));
-    list_unused(data);
-    build(data, crease_angle, material_of_name);
+    MeshOptions mesh_options{.crease_angle = options.crease_angle, .material_has_cutout = {}};
+    read_materials(data, mesh_options);
+    build(data, mesh_options);
     report_materials();
     return std::move(model_);
   }
@@ -51,69 +56,41 @@ class ObjLoader {
     for (ObjFace& face : data.faces) face.shape = 0;
   }
 
-  // A line of `mtllib` names one file, which may have blanks, or several.
-  std::vector<std::string> library_names(const std::string& text) {
-    const fs::path folder = file_.parent_path();
-    if (text.empty() || named_files_.find(text, folder)) return {text};
-    std::vector<std::string> names;
-    for (const std::string& word : split(text, ' '))
-      if (!trimmed(word).empty()) names.push_back(trimmed(word));
-    const bool all_there = std::all_of(
-        names.begin(), names.end(), [&](const auto& n) { return named_files_.find(n, folder).has_value(); });
-    return all_there ? names : std::vector{text};
-  }
-
-  void read_libraries(const TextLine& statement) {
-    const std::string where = at_line(file_, statement.line);
-    const fs::path folder = file_.parent_path();
-    for (const std::string& name : library_names(statement.text)) {
-      const auto found = named_files_.find(name, folder);
-      if (!found) {
-        missing_libraries_.add(fmt::format("the material library '{}' {}", (folder / name).string(),
-                                           why_not_found(name, folder)),
-                               where);
-        missing_library_ = true;
-        continue;
-      }
-      if (!libraries_.insert(found->file).second) continue;
-      if (found->found_elsewhere)
-        problems_.warning(
-            fmt::format("there is no material library '{}'; '{}' is used", name, found->file.string()),
-            where);
-      read_library(found->file);
+  void read_materials(const ObjData& data, MeshOptions& options) {
+    const std::set<std::string> used = names_of(data.materials);
+    MaterialLibraries libraries(file_, used, problems_);
+    for (const TextLine& statement : data.material_libraries) libraries.read(statement);
+    model_.files.insert(model_.files.end(), libraries.files().begin(), libraries.files().end());
+    for (const TextLine& use : data.materials) {
+      add_material(use, libraries);
+      options.material_has_cutout.push_back(model_.materials.back().cutout_texture != kNoTexture);
+      options.material_placement.push_back(placement(libraries.find(use.text)));
     }
+    for (const auto& [name, unused] : libraries.materials())
+      if (!used.contains(name)) model_.unused_materials.push_back(name);
   }
 
-  void read_library(const fs::path& file) {
-    try {
-      std::vector<MtlMaterial> materials;
-      std::string hash = hash_while_reading(file, [&] { materials = load_mtl(file, problems_); });
-      model_.files.push_back({file, std::move(hash)});
-      for (MtlMaterial& m : materials) {
-        const std::string name = m.name;
-        library_.try_emplace(name, std::move(m));
-      }
-    } catch (const Error& error) {
-      problems_.add(error);
-      missing_library_ = true;
-    }
-  }
-
-  int add_material(const TextLine& use) {
-    const auto found = library_.find(use.text);
+  void add_material(const TextLine& use, const MaterialLibraries& libraries) {
     Material& material = model_.materials.emplace_back();
     material.name = use.text;
-    if (found != library_.end()) {
-      fill(material, found->second);
-    } else if (!missing_library_) {
-      unknown_materials_.add(
-          [&] {
-            return fmt::format("no material library has the material '{}'{}; it is plain grey", use.text,
-                               did_you_mean(use.text, library_));
-          },
-          at_line(file_, use.line));
-    }
-    return int(model_.materials.size()) - 1;
+    if (const MtlMaterial* found = libraries.find(use.text)) return fill(material, *found);
+    if (libraries.lacks_one()) return;
+    unknown_materials_.add(
+        [&] {
+          return fmt::format("no material library has the material '{}'{}; it is plain grey", use.text,
+                             did_you_mean(use.text, libraries.materials()));
+        },
+        at_line(file_, use.line));
+  }
+
+  // Of the last material. A vertex has one texture coordinate, so that both its textures lie alike.
+  TexturePlacement placement(const MtlMaterial* m) {
+    const Material& material = model_.materials.back();
+    if (!m) return {};
+    if (material.diffuse_texture == kNoTexture) return m->cutout_map.placement;
+    if (material.cutout_texture != kNoTexture && m->cutout_map.placement != m->diffuse_map.placement)
+      unshown_["-s and -o of map_d (those of map_Kd are used)"].push_back(m->name);
+    return m->diffuse_map.placement;
   }
 
   void fill(Material& material, const MtlMaterial& m) {
@@ -127,36 +104,33 @@ class ObjLoader {
       unshown_["the colour of Ks (its mean is used)"].push_back(m.name);
     for (const std::string& kind : std::set(m.unshown.begin(), m.unshown.end()))
       unshown_[kind].push_back(m.name);
+    read_textures(material, m);
+  }
+
+  void read_textures(Material& material, const MtlMaterial& m) {
     const fs::path folder = m.file.parent_path();
-    if (!m.diffuse_map.text.empty())
-      material.diffuse_texture =
-          textures_.color(m.diffuse_map.text, folder, at_line(m.file, m.diffuse_map.line));
-    if (!m.cutout_map.text.empty())
-      material.cutout_texture = textures_.cutout(
-          m.cutout_map.text, folder, at_line(m.file, m.cutout_map.line), material.diffuse_texture);
+    const auto where = [&](const MtlTexture& texture) { return at_line(m.file, texture.line); };
+    if (!m.diffuse_map.name.empty())
+      material.diffuse_texture = textures_.color(m.diffuse_map.name, folder, where(m.diffuse_map));
+    if (m.cutout_map.name.empty()) return;
+    material.cutout_texture =
+        textures_.cutout(m.cutout_map.name, folder, where(m.cutout_map), material.diffuse_texture);
+    if (material.diffuse_texture == kNoTexture || material.cutout_texture != kNoTexture) return;
+    if (textures_.color(m.cutout_map.name, folder, where(m.cutout_map)) == material.diffuse_texture)
+      unshown_["map_d (the file of map_Kd, which has no alpha)"].push_back(m.name);
   }
 
-  void list_unused(const ObjData& data) {
-    std::set<std::string> used;
-    for (const TextLine& use : data.materials) used.insert(use.text);
-    for (const auto& [name, unused] : library_)
-      if (!used.contains(name)) model_.unused_materials.push_back(name);
-  }
-
-  void build(const ObjData& data, float crease_angle, const std::vector<int>& material_of_name) {
-    MeshOptions options;
-    options.crease_angle = crease_angle;
-    for (const int m : material_of_name)
-      options.material_has_cutout.push_back(model_.materials[std::size_t(m)].cutout_texture != kNoTexture);
+  void build(const ObjData& data, const MeshOptions& options) {
     BuiltMeshes built = build_meshes(data, options);
     model_.meshes = std::move(built.meshes);
+    model_.origin = built.origin;
     for (Mesh& mesh : model_.meshes)
       for (MeshPart& part : mesh.parts)
-        part.material = part.material < 0 ? default_material() : material_of_name[std::size_t(part.material)];
+        if (part.material < 0) part.material = default_material();
     report_geometry(data, built.statistics);
   }
 
-  // For faces before the first usemtl.
+  // For faces before the first usemtl, and after one without a name.
   int default_material() {
     if (default_material_ < 0) {
       default_material_ = int(model_.materials.size());
@@ -176,9 +150,14 @@ class ObjLoader {
     if (statistics.duplicate_triangles > 0)
       problems_.note(
           fmt::format("{} triangles that stand twice are left out", statistics.duplicate_triangles), where);
+    if (statistics.crossing_faces > 0)
+      problems_.note(fmt::format("{} faces have edges that cross: no triangles cover them exactly",
+                                 statistics.crossing_faces),
+                     where);
     if (statistics.bad_normals > 0)
       problems_.warning(
-          fmt::format("{} corners have a normal of zero length; it is computed", statistics.bad_normals),
+          fmt::format("{} corners have a normal of zero length, or one that is not finite; it is computed",
+                      statistics.bad_normals),
           where);
     report_missing_uvs();
   }
@@ -209,21 +188,17 @@ class ObjLoader {
   const fs::path& file_;
   TextureLoader& textures_;
   ProblemList& problems_;
-  RepeatedProblem missing_libraries_;
   RepeatedProblem unknown_materials_;
-  NamedFiles named_files_;
   ObjModel model_;
-  std::set<fs::path> libraries_;  // that were read
-  MaterialMap library_;
   std::map<std::string, std::vector<std::string>> unshown_;
   int default_material_ = -1;
-  bool missing_library_ = false;
 };
 
 }  // namespace
 
-ObjModel load_obj(const fs::path& file, float crease_angle, TextureLoader& textures, ProblemList& problems) {
-  return ObjLoader(file, textures, problems).run(crease_angle);
+ObjModel load_obj(const fs::path& file, const ObjOptions& options, TextureLoader& textures,
+                  ProblemList& problems) {
+  return ObjLoader(file, textures, problems).run(options);
 }
 
 }  // namespace lightbench

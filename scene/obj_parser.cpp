@@ -1,198 +1,257 @@
 #include "scene/obj_parser.h"
 
-#include <cmath>
-#include <deque>
-#include <istream>
-#include <streambuf>
+#include <algorithm>
+#include <array>
 #include <string_view>
-#include <unordered_map>
 #include <utility>
 
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
+#include <glm/common.hpp>
 
 #include "base/files.h"
+#include "scene/obj_corner.h"
+#include "scene/obj_indices.h"
+#include "scene/obj_keywords.h"
+#include "scene/obj_names.h"
 #include "scene/text_scan.h"
 
 namespace lightbench {
 namespace {
 
-// A stream over text that stays where it is.
-class ViewBuffer : public std::streambuf {
- public:
-  explicit ViewBuffer(std::string& text) { setg(text.data(), text.data(), text.data() + text.size()); }
+// The numbers of a statement, of which a vertex has the most: x, y, z, red, green and blue.
+struct Numbers {
+  std::array<double, 6> values{};
+  std::size_t count = 0;
+  bool fine = false;        // enough of them, all finite
+  bool not_finite = false;  // enough or not, one is not finite
 };
 
-// A table of names in the order of their first use.
-class NameTable {
+class ObjReader {
  public:
-  std::int32_t index_of(std::string_view name) {
-    if (const auto found = indices_.find(name); found != indices_.end()) return found->second;
-    const auto index = std::int32_t(names_.size());
-    indices_.emplace(names_.emplace_back(name), index);
-    return index;
-  }
-  const std::deque<std::string>& names() const { return names_; }
+  ObjReader(const std::filesystem::path& file, ProblemList& problems, const ObjLimits& limits)
+      : file_(file),
+        limits_(limits),
+        problems_(problems),
+        bad_numbers_(problems, Problem::Severity::error, "lines with what is no finite number",
+                     file.string()),
+        short_lines_(problems, Problem::Severity::error, "lines that are too short", file.string()),
+        bad_corners_(problems, Problem::Severity::error, "faces with a malformed corner", file.string()),
+        bad_uvs_(problems, Problem::Severity::warning, "texture coordinates that are not finite",
+                 file.string()),
+        nameless_(problems, Problem::Severity::note, "usemtl without a name", file.string()),
+        unknown_(problems, Problem::Severity::warning, "unknown statements", file.string()),
+        indices_(data_, file, problems) {}
 
- private:
-  std::deque<std::string> names_;  // which stay where they are
-  std::unordered_map<std::string_view, std::int32_t> indices_;
-};
-
-// Receives the parser's calls.
-class ObjReceiver {
- public:
-  ObjReceiver(const std::string& text, const std::filesystem::path& file, ProblemList& problems)
-      : text_(text),
-        file_(file),
-        out_of_range_(problems, Problem::Severity::error, "faces with an index out of range", file.string()) {
-  }
-
-  void read(std::istream& stream) {
-    tinyobj::callback_t callbacks;
-    callbacks.vertex_cb = [](void* self, float x, float y, float z, float) { as(self).vertex({x, y, z}); };
-    callbacks.normal_cb = [](void* self, float x, float y, float z) { as(self).normal({x, y, z}); };
-    callbacks.texcoord_cb = [](void* self, float x, float y, float) { as(self).uv({x, y}); };
-    callbacks.index_cb = [](void* self, tinyobj::index_t* indices, int count) {
-      as(self).face(indices, std::size_t(count));
-    };
-    callbacks.usemtl_cb = [](void* self, const char* name, int) { as(self).use_material(name); };
-    callbacks.group_cb = [](void* self, const char** names, int count) {
-      as(self).group(names, std::size_t(count));
-    };
-    callbacks.object_cb = [](void* self, const char* name) { as(self).object(name); };
-    tinyobj::LoadObjWithCallback(stream, callbacks, this);
-  }
-
-  ObjData take(const std::vector<std::size_t>& material_lines) {
-    drop_forward_references();
-    data_.shapes.assign(shapes_.names().begin(), shapes_.names().end());
-    for (std::size_t i = 0; i < materials_.names().size(); ++i)
-      data_.materials.push_back({materials_.names()[i], material_lines[first_use_[i]]});
+  ObjData run(std::string_view text) {
+    LineScanner lines(text);
+    while (const auto line = lines.next()) {
+      line_ = lines.line();
+      truncated_ = !lines.ended_by_newline();
+      read_line(*line);
+    }
+    finish();
     return std::move(data_);
   }
 
  private:
-  static ObjReceiver& as(void* self) { return *static_cast<ObjReceiver*>(self); }
-  // The parser makes NaN of words like 0e999.
-  static float finite(float x) { return std::isfinite(x) ? x : 0.0f; }
-
-  void vertex(const glm::vec3& p) { data_.positions.emplace_back(finite(p.x), finite(p.y), finite(p.z)); }
-  void normal(const glm::vec3& n) { data_.normals.emplace_back(finite(n.x), finite(n.y), finite(n.z)); }
-  void uv(const glm::vec2& t) { data_.uvs.emplace_back(finite(t.x), finite(t.y)); }
-
-  // From 1, or negative from the end, to from 0; 0 is none. False where it points before the first one.
-  static bool resolve(int index, std::size_t count, std::int32_t& result) {
-    result = index > 0 ? index - 1 : index == 0 ? -1 : std::int32_t(count) + index;
-    return index >= 0 || result >= 0;
+  void read_line(std::string_view rest) {
+    if (rest.size() > limits_.line_bytes)
+      throw Error(fmt::format("the line has {}, and at most {} are read", bytes_text(rest.size()),
+                              bytes_text(limits_.line_bytes)),
+                  here());
+    const std::string_view word = take_word(rest);
+    if (word.empty() || word[0] == '#') return;
+    if (const auto statement = find_obj_statement(word)) return read_statement(*statement, rest);
+    unknown_.add(fmt::format("unknown statement '{}'", word.substr(0, 40)), here());
   }
 
-  void face(const tinyobj::index_t* indices, std::size_t count) {
-    const std::size_t number = face_count_++;
-    const std::size_t first = data_.corners.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      ObjCorner corner;
-      const bool fine = resolve(indices[i].vertex_index, data_.positions.size(), corner.position) &&
-                        resolve(indices[i].texcoord_index, data_.uvs.size(), corner.uv) &&
-                        resolve(indices[i].normal_index, data_.normals.size(), corner.normal) &&
-                        corner.position >= 0;
-      if (!fine) {
-        data_.corners.resize(first);
-        return report(number, indices[i]);
-      }
-      data_.corners.push_back(corner);
+  void read_statement(ObjStatement statement, std::string_view rest) {
+    switch (statement) {
+      case ObjStatement::vertex:
+        return read_vertex(rest);
+      case ObjStatement::normal:
+        return read_normal(rest);
+      case ObjStatement::uv:
+        return read_uv(rest);
+      case ObjStatement::face:
+        return read_face(without_comment(rest));
+      case ObjStatement::object:
+        return names_.begin_object(name_in(rest));
+      case ObjStatement::group:
+        return names_.begin_group(name_in(rest));
+      case ObjStatement::smoothing:
+        return names_.begin_smoothing(stripped(without_comment(rest)));
+      case ObjStatement::material:
+        return use_material(name_in(rest));
+      case ObjStatement::library:
+        return data_.material_libraries.push_back({std::string(name_in(rest)), line_});
+      case ObjStatement::line_or_point:
+        ++lines_and_points_;
+        return;
+      case ObjStatement::free_form:
+        ++free_form_;
+        return;
+      case ObjStatement::ignored:
+        return;
     }
-    if (shape_ < 0) shape_ = shapes_.index_of("");
-    face_numbers_.push_back(std::uint32_t(number));
-    data_.faces.push_back({std::uint32_t(first), std::uint32_t(count), material_, shape_});
   }
 
-  void report(std::size_t face_number, const tinyobj::index_t& index) {
-    const auto text = [](int i) { return i == 0 ? std::string() : fmt::format("{}", i); };
-    std::string where = file_.string();
-    if (out_of_range_.lists_next()) where = at_line(file_, line_of_statement(text_, "f", face_number));
-    out_of_range_.add(
-        fmt::format("index out of range: {}/{}/{} of {} vertices, {} texture coordinates and {} normals",
-                    index.vertex_index, text(index.texcoord_index), text(index.normal_index),
-                    data_.positions.size(), data_.uvs.size(), data_.normals.size()),
-        std::move(where));
+  void count(std::size_t counted, std::size_t most, const char* what) const {
+    if (counted > most) throw Error(fmt::format("the file has more than {} {}", most, what), here());
   }
 
-  // A positive index may point at what the file defines later, so these are checked at the end.
-  void drop_forward_references() {
-    std::vector<ObjFace> kept;
-    kept.reserve(data_.faces.size());
-    for (std::size_t i = 0; i < data_.faces.size(); ++i)
-      if (in_range(data_.faces[i], face_numbers_[i])) kept.push_back(data_.faces[i]);
-    data_.faces = std::move(kept);
-  }
-
-  bool in_range(const ObjFace& face, std::size_t number) {
-    for (std::size_t i = face.first_corner; i < face.first_corner + face.corner_count; ++i) {
-      const ObjCorner& c = data_.corners[i];
-      if (c.position < std::int32_t(data_.positions.size()) && c.uv < std::int32_t(data_.uvs.size()) &&
-          c.normal < std::int32_t(data_.normals.size()))
-        continue;
-      tinyobj::index_t index;
-      index.vertex_index = c.position + 1;
-      index.texcoord_index = c.uv + 1;
-      index.normal_index = c.normal + 1;
-      report(number, index);
-      return false;
-    }
-    return true;
+  std::string_view name_in(std::string_view rest) {
+    count(++name_count_, limits_.names, "names of objects, groups, materials and libraries");
+    const std::string_view name = stripped(rest);
+    if (name.size() > limits_.name_bytes)
+      throw Error(fmt::format("the name has {}, and at most {} are read", bytes_text(name.size()),
+                              bytes_text(limits_.name_bytes)),
+                  here());
+    return name;
   }
 
   void use_material(std::string_view name) {
-    const std::size_t statement = usemtl_count_++;
-    material_ = materials_.index_of(stripped(name));
-    if (first_use_.size() < materials_.names().size()) first_use_.push_back(statement);
+    names_.use_material(name, line_);
+    if (!name.empty()) return;
+    // A file that ends here may have lost the name, and more.
+    if (truncated_) return short_lines_.add(fmt::format("usemtl without a name{}", cut()), here());
+    nameless_.add("usemtl without a name: the faces after it have no material", here());
   }
 
-  void group(const char** names, std::size_t count) {
-    group_.clear();
-    for (std::size_t i = 0; i < count; ++i) group_ += (i > 0 ? " " : "") + std::string(names[i]);
-    begin_shape();
-  }
-  void object(std::string_view name) {
-    object_ = stripped(name);
-    group_.clear();
-    begin_shape();
-  }
-  void begin_shape() {
-    if (shapes_.names().size() > kMostMeshes) return;
-    const bool both = !object_.empty() && !group_.empty() && object_ != group_;
-    shape_ = shapes_.index_of(both ? object_ + "/" + group_ : group_.empty() ? object_ : group_);
+  Numbers read_numbers(std::string_view rest, std::size_t at_least) {
+    Numbers numbers;
+    rest = without_comment(rest);
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+      const NumberKind kind = classify_number(word);
+      if (kind == NumberKind::malformed) {
+        bad_numbers_.add(fmt::format("'{}' is not a number{}", word.substr(0, 40), cut()), here());
+        return {};
+      }
+      numbers.not_finite |= kind == NumberKind::not_finite;
+      if (numbers.count < numbers.values.size()) numbers.values[numbers.count++] = number_of(word);
+    }
+    numbers.fine = numbers.count >= at_least && !numbers.not_finite;
+    if (numbers.count >= at_least) return numbers;
+    short_lines_.add(fmt::format("{} numbers where {} are needed{}", numbers.count, at_least, cut()), here());
+    return {};
   }
 
-  const std::string& text_;
+  // Whatever cannot be read still counts, so that the indices of faces stay right.
+  void read_vertex(std::string_view rest) {
+    const Numbers n = read_numbers(rest, 3);
+    data_.positions.push_back(n.fine ? glm::dvec3(n.values[0], n.values[1], n.values[2]) : glm::dvec3(0));
+    count(data_.positions.size(), limits_.vertices, "vertices");
+    if (n.not_finite) bad_numbers_.add("a vertex that is not finite, or beyond 1e18", here());
+    if (!n.fine || n.count < 6) return;
+    data_.colors.resize(data_.positions.size() - 1, glm::vec3(1.0f));
+    data_.colors.emplace_back(n.values[3], n.values[4], n.values[5]);
+  }
+
+  // A normal that is not finite is zero, and so computed.
+  void read_normal(std::string_view rest) {
+    const Numbers n = read_numbers(rest, 3);
+    data_.normals.push_back(n.fine ? glm::vec3(n.values[0], n.values[1], n.values[2]) : glm::vec3(0));
+    count(data_.normals.size(), limits_.vertices, "normals");
+  }
+
+  void read_uv(std::string_view rest) {
+    const Numbers n = read_numbers(rest, 1);
+    data_.uvs.push_back(n.fine ? glm::dvec2(n.values[0], n.values[1]) : glm::dvec2(0));
+    count(data_.uvs.size(), limits_.vertices, "texture coordinates");
+    if (n.not_finite) bad_uvs_.add("a texture coordinate that is not finite is taken as 0", here());
+  }
+
+  void read_face(std::string_view rest) {
+    const std::size_t first = data_.corners.size();
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+      count(++corner_count_, limits_.corners, "corners of faces");
+      if (data_.corners.size() - first == limits_.polygon_corners)
+        throw Error(fmt::format("a face has more than {} corners", limits_.polygon_corners), here());
+      const auto written = read_corner(word);
+      if (!written) {
+        data_.corners.resize(first);
+        return bad_corners_.add(fmt::format("'{}' is not a corner of a face{}", word.substr(0, 40), cut()),
+                                here());
+      }
+      const auto corner = indices_.resolve(*written, line_);
+      if (!corner) return data_.corners.resize(first);
+      data_.corners.push_back(*corner);
+    }
+    add_face(first);
+  }
+
+  void add_face(std::size_t first) {
+    const std::size_t corners = data_.corners.size() - first;
+    if (corners < 3) {
+      data_.corners.resize(first);
+      if (truncated_) return short_lines_.add(fmt::format("a face of {} corners{}", corners, cut()), here());
+      ++short_faces_;
+      return;
+    }
+    count(triangle_count_ += corners - 2, limits_.triangles, "triangles");
+    data_.faces.push_back({std::uint32_t(first), std::uint32_t(corners), names_.material(), names_.shape(),
+                           names_.smoothing()});
+    indices_.add_face(line_);
+  }
+
+  void finish_colors() {
+    float largest = 0;
+    for (glm::vec3& c : data_.colors) {
+      c = glm::max(c, glm::vec3(0));
+      largest = std::max({largest, c.x, c.y, c.z});
+    }
+    if (largest > 1) {
+      problems_.warning("vertex colours above 1: they are taken as 0 to 255", file_.string());
+      for (glm::vec3& c : data_.colors) c /= 255.0f;
+    }
+    // Those without one are white.
+    if (!data_.colors.empty()) data_.colors.resize(data_.positions.size(), glm::vec3(1.0f));
+  }
+
+  void finish() {
+    indices_.finish();
+    finish_colors();
+    data_.shapes = names_.shapes();
+    data_.materials = names_.materials();
+    if (short_faces_ > 0)
+      problems_.note(fmt::format("{} faces of fewer than 3 corners are left out", short_faces_),
+                     file_.string());
+    if (lines_and_points_ > 0)
+      problems_.warning(fmt::format("{} lines and points are not shown", lines_and_points_), file_.string());
+    if (free_form_ > 0)
+      problems_.warning("free-form curves and surfaces are not shown, only polygons", file_.string());
+  }
+
+  std::string here() const { return at_line(file_, line_); }
+  const char* cut() const { return truncated_ ? "; the file ends in the middle of this line" : ""; }
+
   const std::filesystem::path& file_;
-  RepeatedProblem out_of_range_;
+  const ObjLimits& limits_;
+  ProblemList& problems_;
+  RepeatedProblem bad_numbers_;
+  RepeatedProblem short_lines_;
+  RepeatedProblem bad_corners_;
+  RepeatedProblem bad_uvs_;
+  RepeatedProblem nameless_;
+  RepeatedProblem unknown_;
   ObjData data_;
-  std::vector<std::uint32_t> face_numbers_;  // of data_.faces among all statements `f`
-  std::size_t face_count_ = 0;
-  std::size_t usemtl_count_ = 0;
-  NameTable materials_;
-  std::vector<std::size_t> first_use_;
-  NameTable shapes_;
-  std::string object_;
-  std::string group_;
-  std::int32_t material_ = -1;
-  std::int32_t shape_ = -1;
+  ObjIndices indices_;
+  ObjNames names_;
+  std::size_t name_count_ = 0;
+  std::size_t corner_count_ = 0;
+  std::size_t triangle_count_ = 0;
+  std::size_t short_faces_ = 0;
+  std::size_t lines_and_points_ = 0;
+  std::size_t free_form_ = 0;
+  std::size_t line_ = 0;
+  bool truncated_ = false;
 };
 
 }  // namespace
 
 ObjData parse_obj(const std::filesystem::path& file, ProblemList& problems, const ObjLimits& limits) {
-  ObjText checked = check_obj_text(read_file(file, limits.file_bytes), file, problems, limits);
-  ObjReceiver receiver(checked.text, file, problems);
-  ViewBuffer buffer(checked.text);
-  std::istream stream(&buffer);
-  receiver.read(stream);
-  ObjData data = receiver.take(checked.material_lines);
-  data.colors = std::move(checked.colors);
-  data.material_libraries = std::move(checked.material_libraries);
-  return data;
+  const std::string text = readable_obj_text(read_file(file, limits.file_bytes), file, problems);
+  return ObjReader(file, problems, limits).run(text);
 }
 
 }  // namespace lightbench

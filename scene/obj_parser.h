@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,23 +23,29 @@ struct ObjCorner {
   std::int32_t normal = -1;
 };
 
+/// What the last `s` before a face says; larger values are numbers of smoothing groups.
+inline constexpr std::int32_t kSmoothingUnsaid = -1;
+inline constexpr std::int32_t kSmoothingOff = 0;
+
 struct ObjFace {
   std::uint32_t first_corner = 0;
   std::uint32_t corner_count = 0;  ///< 3 or more
-  std::int32_t material = -1;      ///< into ObjData::materials, or -1 before the first usemtl
+  std::int32_t material = -1;      ///< into ObjData::materials, or -1 where no usemtl names one
   std::int32_t shape = 0;          ///< into ObjData::shapes
+  std::int32_t smoothing = kSmoothingUnsaid;
 };
 
-/// An OBJ file's polygons as they stand in it, with all indices in range.
+/// An OBJ file's polygons as they stand in it, with all indices in range. Doubles, because map coordinates of
+/// millions of units with centimetres behind the point are lost in floats.
 struct ObjData {
-  std::vector<glm::vec3> positions;
+  std::vector<glm::dvec3> positions;
   std::vector<glm::vec3> normals;  ///< as given: neither unit nor surely not zero
-  std::vector<glm::vec2> uvs;
-  std::vector<glm::vec3> colors;  ///< of each position, or empty
+  std::vector<glm::dvec2> uvs;
+  std::vector<glm::vec3> colors;  ///< of each position, as written but not above 1, or empty
   std::vector<ObjCorner> corners;
   std::vector<ObjFace> faces;
   std::vector<std::string> shapes;  ///< names of objects and groups, each once; kMostMeshes + 1 for any more
-  std::vector<TextLine> materials;  ///< names in the order of their first use
+  std::vector<TextLine> materials;  ///< those that faces have, by the line of the usemtl before the first one
   std::vector<TextLine> material_libraries;
 };
 

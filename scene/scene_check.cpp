@@ -96,14 +96,22 @@ void check_light_points(const Scene& scene, const std::string& where, ProblemLis
 void check_materials(const Scene& scene, const std::string& where, ProblemList& problems) {
   std::vector<std::string> bright;
   std::vector<std::string> emitting;
+  std::vector<std::string> blackened;
   for (const Material& m : scene.materials) {
     if (std::max({m.diffuse.x, m.diffuse.y, m.diffuse.z}) > 1) bright.push_back(m.name);
     if (emits(m)) emitting.push_back(m.name);
+    if (m.diffuse_texture != kNoTexture && m.diffuse == glm::vec3(0)) blackened.push_back(m.name);
   }
   if (!bright.empty())
     problems.warning(fmt::format("{}: a diffuse colour above 1 gives back more light than it gets",
                                  counted_names("materials", bright)),
                      where);
+  if (!blackened.empty())
+    problems.warning(
+        fmt::format("{}: map_Kd is multiplied by Kd, which is 0, and shows black; set 'diffuse' in a "
+                    "scene file where the texture alone is meant",
+                    counted_names("materials", blackened)),
+        where);
   if (!emitting.empty())
     problems.note(fmt::format("{} emit light (Ke)", counted_names("materials", emitting)), where);
 }

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
-#include <set>
 #include <system_error>
 #include <utility>
 
@@ -24,9 +22,9 @@
 #include "scene/material_overrides.h"
 #include "scene/motion.h"
 #include "scene/nearest_surface.h"
-#include "scene/obj_loader.h"
 #include "scene/scene_check.h"
 #include "scene/scene_json.h"
+#include "scene/scene_models.h"
 #include "scene/transform.h"
 #include "scene/water_json.h"
 
@@ -34,21 +32,10 @@ namespace lightbench {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kDefaultCreaseAngle = 40;
-
 // After this many errors the rest of a list is not read.
 constexpr std::size_t kMostErrors = 1000;
 
-// A scene's models may have this many triangles in all, as many as one file may hold. A model counts once,
-// however many entities show it.
-constexpr std::size_t kMostTriangles = 50'000'000;
 constexpr std::size_t kMostEntities = 1'000'000;
-
-// Where an OBJ's meshes stand in the scene.
-struct PlacedModel {
-  int first_mesh = 0;
-  int mesh_count = 0;
-};
 
 class SceneLoader {
  public:
@@ -58,7 +45,7 @@ class SceneLoader {
     try {
       std::optional<JsonValue> text;
       std::string hash = hash_while_reading(file, [&] { text = JsonValue::parse_file(file); });
-      add_file({file, std::move(hash)});
+      models_.add_file({file, std::move(hash)});
       read_scene(*text);
     } catch (const Error& error) {
       problems_.add(error);
@@ -70,7 +57,11 @@ class SceneLoader {
     file_ = file;
     scene_.name = file.stem().string();
     try {
-      add_entities(model(file, kDefaultCreaseAngle), {.name = scene_.name});
+      Entity entity{.name = scene_.name};
+      const PlacedModel placed = models_.model(file, {});
+      entity.transform = model_transform(glm::dmat4(1), glm::mat4(1), placed.origin);
+      check_distance(placed, entity, file.string(), problems_);
+      add_entities(placed, entity);
     } catch (const Error& error) {
       problems_.add(error);
     }
@@ -159,34 +150,44 @@ class SceneLoader {
 
   void read_obj_entity(KeyReader& keys) {
     Entity entity;
-    glm::mat4 up(1);
-    double crease_angle = kDefaultCreaseAngle;
+    glm::mat4 shape(1);  // what turns and scales the model before it is placed
+    ModelOptions options;
     std::optional<PlacedModel> placed;
-    read_place(keys, entity);
+    const glm::dmat4 place = read_place(keys, entity);
     keys.optional("up", [&](const JsonValue& v) {
-      if (v.choice({"y", "z"}) == "z") up = glm::mat4(rotation_degrees({-90, 0, 0}));
+      if (v.choice({"y", "z"}) == "z") shape = glm::mat4(rotation_degrees({-90, 0, 0}));
     });
-    keys.optional("crease_angle", [&](const JsonValue& v) { crease_angle = v.number(0, 180); });
+    keys.optional("crease_angle", [&](const JsonValue& v) { options.crease_angle = v.number(0, 180); });
+    keys.optional("vertex_colors", [&](const JsonValue& v) {
+      if (v.choice({"srgb", "linear"}) == "linear") options.vertex_colors = VertexColors::linear;
+    });
     keys.required("obj", [&](const JsonValue& v) {
       const fs::path file = resolve_path(v.text(), file_.parent_path(), v.where());
       if (entity.name.empty()) entity.name = file.stem().string();
       // An OBJ that is not there is a problem of this key.
       std::error_code ignored;
       if (!fs::exists(file, ignored)) v.fail(fmt::format("there is no file '{}'", file.string()));
-      placed = model(file, crease_angle);
+      placed = models_.model(file, options);
     });
     keys.optional("size", [&](const JsonValue& v) {
-      if (placed) entity.transform = entity.transform * fit(v, *placed, up);
+      if (!placed) return;
+      shape = fit(v, *placed, shape) * shape;
+      placed->origin = glm::dvec3(0);  // The model's own place no longer counts.
     });
-    entity.transform = entity.transform * up;
-    if (placed) add_entities(*placed, entity);
+    if (!placed) return;
+    entity.transform = model_transform(place, shape, placed->origin);
+    check_distance(*placed, entity, keys.where(), problems_);
+    add_entities(*placed, entity);
   }
 
-  // What all kinds of entities say of where they stand.
-  static void read_place(KeyReader& keys, Entity& entity) {
+  // What all kinds of entities say of where they stand: reads their name and motion, and returns the
+  // transform.
+  static glm::dmat4 read_place(KeyReader& keys, Entity& entity) {
+    glm::dmat4 place(1);
     keys.optional("name", [&](const JsonValue& v) { entity.name = read_name(v); });
-    keys.optional("transform", [&](const JsonValue& v) { entity.transform = read_transform(v); });
+    keys.optional("transform", [&](const JsonValue& v) { place = read_transform(v); });
     keys.optional("keyframes", [&](const JsonValue& v) { entity.motion.keys = read_motion(v); });
+    return place;
   }
 
   // Scales the turned model to a box that stands centred on its footprint.
@@ -209,7 +210,7 @@ class SceneLoader {
     Entity entity{.name = "box"};
     Bounds box;
     MaterialPatch patch;
-    read_place(keys, entity);
+    entity.transform = glm::mat4(read_place(keys, entity));
     keys.optional("material", [&](const JsonValue& v) { patch = read_material_patch(v, problems_); });
     keys.required("box", [&](const JsonValue& v) {
       JsonObject object = v.object();
@@ -228,38 +229,6 @@ class SceneLoader {
     scene_.meshes.push_back(box_mesh(entity.name, box, int(scene_.materials.size()) - 1));
     entity.mesh = int(scene_.meshes.size()) - 1;
     add_entity(entity);
-  }
-
-  // The model of an OBJ file, read at its first use. One that cannot be read is a problem then, and empty
-  // after that.
-  PlacedModel model(const fs::path& file, double crease_angle) {
-    std::error_code error;
-    const fs::path canonical = fs::weakly_canonical(file, error);
-    const auto key = std::pair(error ? file : canonical, crease_angle);
-    const auto [found, is_first] = models_.try_emplace(key);
-    if (!is_first) return found->second;
-    ObjModel loaded = load_obj(file, float(glm::radians(crease_angle)), textures_, problems_);
-    const PlacedModel placed{int(scene_.meshes.size()), int(loaded.meshes.size())};
-    const int first_material = int(scene_.materials.size());
-    for (Material& material : loaded.materials) scene_.materials.push_back(std::move(material));
-    for (Mesh& mesh : loaded.meshes) {
-      triangles_ += mesh.triangles.size();
-      if (triangles_ > kMostTriangles)
-        throw Error(fmt::format("the scene's models have more than {} triangles", kMostTriangles),
-                    file.string());
-      for (MeshPart& part : mesh.parts) part.material += first_material;
-      scene_.meshes.push_back(std::move(mesh));
-    }
-    unused_materials_.insert(loaded.unused_materials.begin(), loaded.unused_materials.end());
-    for (const SourceFile& read : loaded.files) add_file(read);
-    return found->second = placed;
-  }
-
-  // A model that stands in the scene with several crease angles is read several times.
-  void add_file(const SourceFile& file) {
-    const auto [known, is_new] = files_.try_emplace(file.path, file.hash);
-    if (is_new) scene_.files.push_back(file);
-    if (known->second != file.hash) throw Error("was changed while the scene was read", file.path.string());
   }
 
   // An entity like `whole` for each mesh of the model.
@@ -281,7 +250,7 @@ class SceneLoader {
   }
 
   void read_overrides(const JsonValue& value) {
-    MaterialOverrides overrides(scene_.materials, unused_materials_, problems_, value.where());
+    MaterialOverrides overrides(scene_.materials, models_.unused_materials(), problems_, value.where());
     JsonObject object = value.object();
     for (const std::string& name : object.keys()) {
       const JsonValue patch_value = object.at(name);
@@ -305,11 +274,8 @@ class SceneLoader {
   Scene scene_;
   ProblemList problems_;
   TextureLoader textures_{problems_};
-  std::map<std::pair<fs::path, double>, PlacedModel> models_;
-  std::map<fs::path, std::string> files_;  // hashes of the scene file and of all models' files
-  std::size_t triangles_ = 0;              // of all models
-  std::size_t light_points_ = 0;           // of all lights up to the first one that is too much
-  std::set<std::string> unused_materials_;
+  SceneModels models_{scene_, textures_, problems_};
+  std::size_t light_points_ = 0;  // of all lights up to the first one that is too much
 };
 
 std::string lower_case_extension(const fs::path& file) {

@@ -45,6 +45,13 @@ glm::dmat4 read_matrix(const JsonValue& value) {
   return m;
 }
 
+glm::dvec3 read_exact_point(const JsonValue& value) {
+  const glm::dvec3 p = value.vec3();
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(p[k]) > kLargestCoordinate) value.fail(fmt::format("{} is too large a coordinate", p[k]));
+  return p;
+}
+
 glm::dvec3 read_scale(const JsonValue& value) {
   return value.is_number() ? glm::dvec3(value.number(-kLargestCoordinate, kLargestCoordinate))
                            : glm::dvec3(read_point(value));
@@ -52,11 +59,10 @@ glm::dvec3 read_scale(const JsonValue& value) {
 
 }  // namespace
 
-glm::vec3 read_point(const JsonValue& value) {
-  const glm::dvec3 p = value.vec3();
-  for (int k = 0; k < 3; ++k)
-    if (std::abs(p[k]) > kLargestCoordinate) value.fail(fmt::format("{} is too large a coordinate", p[k]));
-  return glm::vec3(p);
+// Not inlined: where g++ 12 sees doubles rounded to floats and made doubles again, in a vector, it leaves out
+// the rounding of the first two.
+[[gnu::noinline]] glm::vec3 read_point(const JsonValue& value) {
+  return glm::vec3(read_exact_point(value));
 }
 
 glm::vec3 read_direction(const JsonValue& value) {
@@ -73,7 +79,7 @@ glm::vec3 read_color(const JsonValue& value) {
   return glm::vec3(c);
 }
 
-glm::mat4 read_transform(const JsonValue& value) {
+glm::dmat4 read_transform(const JsonValue& value) {
   JsonObject object = value.object();
   glm::dmat4 m(1);
   if (const auto matrix = object.find("matrix")) {
@@ -85,12 +91,12 @@ glm::mat4 read_transform(const JsonValue& value) {
     const auto rotate = object.find("rotate");
     const auto scale = object.find("scale");
     object.finish();
-    if (translate) m = glm::translate(m, glm::dvec3(read_point(*translate)));
+    if (translate) m = glm::translate(m, read_exact_point(*translate));
     if (rotate) m = m * rotation_degrees(rotate->vec3());
     if (scale) m = glm::scale(m, read_scale(*scale));
   }
   check_not_singular(value, m);
-  return glm::mat4(m);
+  return m;
 }
 
 std::string name_problem(const std::string& name, std::size_t most) {

@@ -25,7 +25,7 @@ glm::vec3 read_direction(const JsonValue& value);
 glm::vec3 read_color(const JsonValue& value);
 
 /// {"translate", "rotate", "scale"} or {"matrix"}; affine and not singular.
-glm::mat4 read_transform(const JsonValue& value);
+glm::dmat4 read_transform(const JsonValue& value);
 
 /// The most bytes of a name; tables show it and files are named after it.
 inline constexpr std::size_t kMaxNameBytes = 200;

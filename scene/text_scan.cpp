@@ -27,9 +27,9 @@ bool contains_ignoring_case(std::string_view word, std::string_view part) {
   return false;
 }
 
-// 1.#IND, nan, -nan(ind), inf: what C libraries print for what is not a number.
+// nan, -nan(ind), inf, 1.#IND, -1.#QNAN, 1.#J (of "%.2f"): what C libraries print for what is not a number.
 bool names_non_finite(std::string_view word) {
-  constexpr std::array<std::string_view, 4> kNames{"nan", "inf", "#ind", "#qnan"};
+  constexpr std::array<std::string_view, 3> kNames{"nan", "inf", "1.#"};
   for (const std::string_view name : kNames)
     if (contains_ignoring_case(word, name)) return true;
   return false;
@@ -63,6 +63,18 @@ std::string_view stripped(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
   return text;
+}
+
+std::string_view without_comment(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '#' && (i == 0 || text[i - 1] == ' ' || text[i - 1] == '\t')) return text.substr(0, i);
+  return text;
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lowered(text);
+  for (char& c : lowered) c = lower(c);
+  return lowered;
 }
 
 NumberKind classify_number(std::string_view word) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace lightbench {
@@ -29,6 +30,12 @@ std::string_view take_word(std::string_view& rest);
 
 /// Blanks and tabs taken off both ends.
 std::string_view stripped(std::string_view text);
+
+/// The text before a comment. A # begins one only where a word begins: old C libraries print 1.#IND for NaN.
+std::string_view without_comment(std::string_view text);
+
+/// ASCII letters in lower case; all other bytes as they are.
+std::string lower_case(std::string_view text);
 
 enum class NumberKind {
   finite,

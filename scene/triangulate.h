@@ -9,8 +9,9 @@
 namespace lightbench {
 
 /// Cuts a polygon of n >= 3 corners, convex or not, into n - 2 triangles of indices into `polygon` with its
-/// sense of rotation. A convex polygon becomes a fan around its first corner. One that crosses itself gives
-/// some triangles.
-void triangulate(std::span<const glm::vec3> polygon, std::vector<glm::uvec3>& triangles);
+/// sense of rotation. A convex polygon becomes a fan around its first corner. One that touches itself, as
+/// where a bridge leads to a hole, is covered exactly, and some triangles have no area (scene/ear_clipper.h).
+/// One whose edges cross gives some triangles, and false.
+bool triangulate(std::span<const glm::vec3> polygon, std::vector<glm::uvec3>& triangles);
 
 }  // namespace lightbench

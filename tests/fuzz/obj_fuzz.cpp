@@ -10,7 +10,7 @@ void fuzz_obj(std::string_view bytes) {
   const auto file = folder.write("m.obj", bytes);
   ProblemList problems;
   TextureLoader textures(problems);
-  const ObjModel model = load_obj(file, 0.5f, textures, problems);
+  const ObjModel model = load_obj(file, {.crease_angle = 0.5f}, textures, problems);
   refuse(problems.all());  // what is left of a file with errors is not used
   for (const Mesh& mesh : model.meshes) require_sound(mesh, model.materials.size());
 }

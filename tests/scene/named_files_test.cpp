@@ -58,5 +58,36 @@ TEST_F(NamedFilesTest, AFolderIsListedOnce) {
   EXPECT_EQ(found("b.png"), "b.png");
 }
 
+class NamesOnLine : public NamedFilesTest {
+ protected:
+  std::vector<std::string> names(const std::string& line) const {
+    return names_on_line(line, files_.path(""), ".mtl");
+  }
+  using Names = std::vector<std::string>;
+};
+
+TEST_F(NamesOnLine, AreSeparatedByBlanks) {
+  files_.write("a.mtl", "");
+  files_.write("b", "");
+  EXPECT_EQ(names("a.mtl  b\ta.mtl"), (Names{"a.mtl", "b", "a.mtl"}));
+  EXPECT_EQ(names(""), (Names{""}));
+}
+
+TEST_F(NamesOnLine, HaveTheBlanksOfFilesThatAreThere) {
+  files_.write("my  own.mtl", "");
+  files_.write("own.mtl", "");
+  EXPECT_EQ(names("my  own.mtl"), (Names{"my  own.mtl"}));
+  EXPECT_EQ(names("own.mtl my  own.mtl own.mtl"), (Names{"own.mtl", "my  own.mtl", "own.mtl"}));
+  EXPECT_EQ(names("own.mtl \"my  own.mtl\""), (Names{"own.mtl", "\"my  own.mtl\""}));
+}
+
+TEST_F(NamesOnLine, ThatAreMissingEndWithTheExtensionOrBeforeOneThatIsThere) {
+  files_.write("red.mtl", "");
+  EXPECT_EQ(names("gone.mtl red.mtl"), (Names{"gone.mtl", "red.mtl"}));
+  EXPECT_EQ(names("red.mtl gone.MTL lost.mtl"), (Names{"red.mtl", "gone.MTL", "lost.mtl"}));
+  EXPECT_EQ(names("gone red.mtl"), (Names{"gone", "red.mtl"}));
+  EXPECT_EQ(names("C:\\my things\\gone.mtl"), (Names{"C:\\my things\\gone.mtl"}));
+}
+
 }  // namespace
 }  // namespace lightbench

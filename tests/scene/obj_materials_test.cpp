@@ -4,8 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/image_io.h"
-#include "scene/obj_loader.h"
-#include "scene_test_files.h"
+#include "obj_test_files.h"
 
 namespace lightbench {
 namespace {
@@ -13,11 +12,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-struct Loaded {
-  ObjModel model;
-  std::vector<Texture> textures;
-  std::string problems;
-
+struct Loaded : LoadedObj {
   const Material& material(const std::string& name) const {
     const auto found = std::find_if(model.materials.begin(), model.materials.end(),
                                     [&](const Material& m) { return m.name == name; });
@@ -27,13 +22,7 @@ struct Loaded {
 };
 
 Loaded load(const SceneTestFiles& files, const std::string& name) {
-  ProblemList problems;
-  TextureLoader textures(problems);
-  Loaded result;
-  result.model = load_obj(files.path(name), 0.7f, textures, problems);
-  result.textures = textures.take_textures();
-  result.problems = described(problems.all(), files.path("").parent_path());
-  return result;
+  return {load_obj_file(files, name)};
 }
 
 // A textured triangle for each named material, and an MTL file.
@@ -178,6 +167,8 @@ TEST(ObjMaterials, AColorTextureWithoutAlphaIsNoMask) {
   write_png(files.path("t.png"), rgb(10, 10, 10));
   const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd t.png\nmap_d t.png\n");
   EXPECT_EQ(loaded.material("a").cutout_texture, kNoTexture);
+  EXPECT_THAT(loaded.problems,
+              HasSubstr("not shown: map_d (the file of map_Kd, which has no alpha) of 1 material (a)"));
 }
 
 TEST(ObjMaterials, KeepsCoincidentTrianglesOfWhichOneIsCutOut) {
@@ -224,12 +215,76 @@ TEST(ObjMaterials, OpaqueMaterialsAreNotTransparent) {
   EXPECT_EQ(loaded.problems, "");
 }
 
-TEST(ObjMaterials, WarnsAboutTextureOptionsThatMoveTheTexture) {
+TEST(ObjMaterials, PlacesTexturesAsTheirOptionsSay) {
   const SceneTestFiles files;
   write_png(files.path("t.png"), rgb(1, 1, 1));
-  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd -s 2 2 1 t.png\n");
-  EXPECT_THAT(loaded.problems, HasSubstr("a texture's options"));
+  files.write("m.mtl", "newmtl a\nmap_Kd -s 2 3 1 -o 0.5 0.25 0 t.png\nnewmtl b\nmap_Kd t.png\n");
+  files.write("m.obj",
+              "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+              "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/3 4/4\n");
+  const auto loaded = load(files, "m.obj");
+  EXPECT_EQ(loaded.problems, "");
+  const Mesh& mesh = loaded.model.meshes.at(0);
+  EXPECT_EQ(mesh.uvs.at(mesh.triangles[0].x), glm::vec2(0.5f, 0.25f));
+  EXPECT_EQ(mesh.uvs.at(mesh.triangles[0].z), glm::vec2(2.5f, 3.25f));
+  EXPECT_EQ(mesh.uvs.at(mesh.triangles[1].y), glm::vec2(1, 1)) << "of the other material";
+}
+
+TEST(ObjMaterials, BothTexturesOfAMaterialLieAsMapKdSays) {
+  const SceneTestFiles files;
+  write_png(files.path("t.png"), rgb(1, 1, 1));
+  write_png(files.path("mask.png"), rgb(200, 200, 200));
+  const std::string same = "newmtl a\nmap_Kd -s 2 2 t.png\nmap_d -s 2 2 mask.png\n";
+  EXPECT_EQ(load_materials(files, {"a"}, same).problems, "");
+  EXPECT_THAT(load_materials(files, {"a"}, "newmtl a\nmap_Kd -s 2 2 t.png\nmap_d mask.png\n").problems,
+              HasSubstr("not shown: -s and -o of map_d (those of map_Kd are used) of 1 material (a)"));
+}
+
+TEST(ObjMaterials, WarnsAboutTextureOptionsThatAreNotShown) {
+  const SceneTestFiles files;
+  write_png(files.path("t.png"), rgb(1, 1, 1));
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd -clamp on -mm 0 2 t.png\n");
+  EXPECT_THAT(loaded.problems, AllOf(HasSubstr("not shown: the texture option -clamp of 1 material (a)"),
+                                     HasSubstr("not shown: the texture option -mm of 1 material (a)")));
   EXPECT_EQ(loaded.material("a").diffuse_texture, 0);
+}
+
+TEST(ObjMaterials, WarnsAboutAnAmbientTextureOfItsOwn) {
+  const SceneTestFiles files;
+  write_png(files.path("t.png"), rgb(1, 1, 1));
+  EXPECT_EQ(load_materials(files, {"a"}, "newmtl a\nmap_Ka t.png\nmap_Kd t.png\n").problems, "");
+  EXPECT_THAT(load_materials(files, {"a"}, "newmtl a\nmap_Ka t.png\n").problems,
+              HasSubstr("not shown: map_Ka of 1 material (a)"));
+}
+
+TEST(ObjMaterials, WarnsAboutATextureThatStandsTwice) {
+  const SceneTestFiles files;
+  write_png(files.path("t.png"), rgb(1, 1, 1));
+  write_png(files.path("u.png"), rgb(2, 2, 2));
+  const auto loaded = load_materials(files, {"a"}, "newmtl a\nmap_Kd t.png\nmap_Kd u.png\n");
+  EXPECT_THAT(loaded.problems, HasSubstr("warning m.mtl:3: map_Kd stands twice in material 'a'"));
+  EXPECT_EQ(loaded.textures.at(0).pixels.data[0], 2);
+}
+
+TEST(ObjMaterials, AnErrorInAMaterialThatNoFaceUsesIsAWarning) {
+  const SceneTestFiles files;
+  for (const char* wrong : {"Kd spectral a.rfl", "Kd 1 -1 0", "Ns", "map_Kd"}) {
+    const auto loaded = load_materials(files, {"a"}, std::string("newmtl a\nnewmtl b\n") + wrong + "\n");
+    EXPECT_THAT(loaded.problems,
+                AllOf(HasSubstr("warning m.mtl:3: "), HasSubstr("no face uses this material"),
+                      ::testing::Not(HasSubstr("error"))))
+        << wrong;
+  }
+}
+
+TEST(ObjMaterials, AMaterialThatUsemtlNamesForNoFaceIsUnused) {
+  const SceneTestFiles files;
+  files.write("m.mtl", "newmtl a\nnewmtl b\nmap_Kd gone.png\n");
+  files.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl b\nusemtl a\nf 1 2 3\nusemtl b\n");
+  const auto loaded = load(files, "m.obj");
+  EXPECT_EQ(loaded.problems, "");
+  EXPECT_EQ(loaded.model.materials.size(), 1u);
+  EXPECT_EQ(loaded.model.unused_materials, std::vector<std::string>{"b"});
 }
 
 TEST(ObjMaterials, ReadsSeveralLibrariesAndNamesWithBlanks) {
@@ -295,7 +350,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMtl{"CutInAColor", "newmtl a\nKd 0.5 0.",
                "error m.mtl:2: Kd has 2 numbers where 3 are needed; the file ends in the middle"},
         BadMtl{"NoExponent", "newmtl a\nNs\n", "error m.mtl:2: Ns without a number"},
-        BadMtl{"NoName", "newmtl a\nnewmtl\n", "error m.mtl:2: newmtl without a name"},
+        BadMtl{"NoName", "newmtl a\nnewmtl\nKd 1 0 0\n", "warning m.mtl:2: newmtl without a name"},
         BadMtl{"BeforeNewmtl", "Kd 1 1 1\nnewmtl a\n", "warning m.mtl:1: 'Kd' before the first newmtl"},
         BadMtl{"Unknown", "newmtl a\nKq 1\n", "warning m.mtl:2: unknown statement 'Kq'"},
         BadMtl{"MissingTexture", "newmtl a\nmap_Kd gone.png\n",

@@ -43,6 +43,33 @@ TEST(SceneFile, LoadsAnObjOnceHoweverManyEntitiesNameIt) {
   EXPECT_EQ(loaded.scene.files.size(), 2u);
 }
 
+TEST(SceneFile, AnEntitySaysWhetherItsVertexColorsAreLinear) {
+  const SceneTestFiles files;
+  files.write("m.obj", "v 0 0 0 0.5 0.5 0.5\nv 1 0 0 0.5 0.5 0.5\nv 0 1 0 0.5 0.5 0.5\nf 1 2 3\n");
+  const auto loaded = load_scene_collecting(
+      files.write("s.json", R"({"entities": [{"obj": "m.obj"}, {"obj": "m.obj", "vertex_colors": "linear"},
+                                 {"obj": "m.obj", "vertex_colors": "srgb"}]})"));
+  ASSERT_EQ(loaded.scene.meshes.size(), 2u) << described(loaded, files);
+  EXPECT_NEAR(loaded.scene.meshes[0].colors[0].x, 0.21404f, 1e-5f) << "the sRGB transfer function in floats";
+  EXPECT_EQ(loaded.scene.meshes[1].colors[0].x, 0.5f);
+  EXPECT_EQ(loaded.scene.entities[2].mesh, 0);
+}
+
+TEST(SceneFile, WarnsWhereKdMakesATextureBlackUnlessTheSceneFileChangesIt) {
+  const SceneTestFiles files;
+  write_png(files.path("t.png"), Image8(1, 1, 3));
+  files.write("m.mtl", "newmtl a\nKd 0 0 0\nmap_Kd t.png\n");
+  files.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl a\nf 1/1 2/1 3/1\n");
+  const auto problems = [&](const std::string& more) {
+    return described(
+        load_scene_collecting(files.write("s.json", R"({"entities": [{"obj": "m.obj"}])" + more + "}")),
+        files);
+  };
+  EXPECT_THAT(problems(""),
+              HasSubstr("warning s.json: 1 material (a): map_Kd is multiplied by Kd, which is 0"));
+  EXPECT_THAT(problems(R"(, "materials": {"a": {"diffuse": [1, 1, 1]}})"), Not(HasSubstr("multiplied")));
+}
+
 TEST(SceneFile, NamesEntitiesOfSeveralMeshesAfterBoth) {
   const SceneTestFiles files;
   files.write("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no a\nf 1 2 3\no b\nf 1 2 4\n");

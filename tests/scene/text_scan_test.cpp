@@ -41,14 +41,21 @@ TEST(TakeWord, SplitsAtBlanksAndTabs) {
   EXPECT_EQ(take_word(rest), "");
 }
 
+TEST(WithoutComment, EndsWhereAWordBeginsWithAHash) {
+  EXPECT_EQ(without_comment("1 2 # three"), "1 2 ");
+  EXPECT_EQ(without_comment("#1"), "");
+  EXPECT_EQ(without_comment("1\t#2"), "1\t");
+  EXPECT_EQ(without_comment("-1.#IND 1.#INF"), "-1.#IND 1.#INF");
+}
+
 TEST(ClassifyNumber, AcceptsWhatFilesWrite) {
   for (const char* word : {"0", "-1", "+2.5", ".5", "-.5", "5.", "1e5", "1.E-5", "3.0e+02", "1e-400"})
     EXPECT_EQ(classify_number(word), NumberKind::finite) << word;
 }
 
 TEST(ClassifyNumber, TellsWhatIsNotFinite) {
-  for (const char* word :
-       {"nan", "-NaN", "inf", "-Infinity", "1.#IND", "-1.#INF", "1e19", "1e99999", "nan(ind)"})
+  for (const char* word : {"nan", "-NaN", "inf", "-Infinity", "1.#IND", "-1.#INF", "-1.#IND00", "1.#QNAN0",
+                           "1.#SNAN", "1.#J", "1e19", "1e99999", "nan(ind)"})
     EXPECT_EQ(classify_number(word), NumberKind::not_finite) << word;
 }
 

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/name_table.h"
+#include "scene/obj_text.h"
+
+namespace lightbench {
+
+/// What the statements `o`, `g`, `s` and `usemtl` before a face say of it.
+class ObjNames {
+ public:
+  void begin_object(std::string_view name);
+  /// A face may be in several groups: the words are one name.
+  void begin_group(std::string_view names);
+  /// "off", 0 and nothing switch smoothing off.
+  void begin_smoothing(std::string_view group);
+  /// A name of nothing means no material.
+  void use_material(std::string_view name, std::size_t line);
+
+  /// Of a face that stands here, as ObjFace has them. Objects and groups beyond kMostMeshes are one.
+  std::int32_t shape();
+  std::int32_t material();
+  std::int32_t smoothing() const { return smoothing_; }
+
+  std::vector<std::string> shapes() const { return {shapes_.names().begin(), shapes_.names().end()}; }
+  /// Those that faces have, with the line of the statement.
+  const std::vector<TextLine>& materials() const { return used_materials_; }
+
+ private:
+  void begin_shape();
+
+  NameTable shapes_;
+  NameTable materials_;
+  NameTable smoothing_groups_;
+  std::vector<TextLine> used_materials_;
+  std::string object_;
+  std::string group_;
+  TextLine material_name_;
+  std::int32_t shape_ = -1;
+  std::int32_t material_ = -1;  // -1 too while no face has it
+  std::int32_t smoothing_ = -1;
+};
+
+}  // namespace lightbench
