@@ -2,13 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <istream>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 #include <glm/common.hpp>
 
+// The distribution's library has floats, so its header is compiled here.
+#define TINYOBJLOADER_USE_DOUBLE
+#define TINYOBJLOADER_IMPLEMENTATION
+#include <tiny_obj_loader.h>
+
 #include "base/files.h"
+#include "scene/line_feed.h"
 #include "scene/obj_corner.h"
 #include "scene/obj_indices.h"
 #include "scene/obj_keywords.h"
@@ -18,14 +26,15 @@
 namespace lightbench {
 namespace {
 
-// The numbers of a statement, of which a vertex has the most: x, y, z, red, green and blue.
+// What a statement's numbers are, apart from their values.
 struct Numbers {
-  std::array<double, 6> values{};
   std::size_t count = 0;
   bool fine = false;        // enough of them, all finite
   bool not_finite = false;  // enough or not, one is not finite
 };
 
+// Checks the statements one by one, keeps what they name, and lets the library parse the numbers of those
+// that have no fault.
 class ObjReader {
  public:
   ObjReader(const std::filesystem::path& file, ProblemList& problems, const ObjLimits& limits)
@@ -44,35 +53,59 @@ class ObjReader {
 
   ObjData run(std::string_view text) {
     LineScanner lines(text);
-    while (const auto line = lines.next()) {
-      line_ = lines.line();
-      truncated_ = !lines.ended_by_newline();
-      read_line(*line);
-    }
+    LineFeed feed([&](std::string& checked) { return next_checked(lines, checked); });
+    std::istream stream(&feed);
+    tinyobj::callback_t callbacks;
+    callbacks.vertex_cb = [](void* self, double x, double y, double z, double) {
+      as(self).data_.positions.emplace_back(finite(x), finite(y), finite(z));
+    };
+    callbacks.normal_cb = [](void* self, double x, double y, double z) {
+      as(self).data_.normals.emplace_back(finite(x), finite(y), finite(z));
+    };
+    callbacks.texcoord_cb = [](void* self, double x, double y, double) {
+      as(self).data_.uvs.emplace_back(finite(x), finite(y));
+    };
+    tinyobj::LoadObjWithCallback(stream, callbacks, this);
     finish();
     return std::move(data_);
   }
 
  private:
-  void read_line(std::string_view rest) {
+  static ObjReader& as(void* self) { return *static_cast<ObjReader*>(self); }
+  // The library makes NaN of words like 0e999.
+  static double finite(double x) { return std::isfinite(x) ? x : 0.0; }
+
+  // Reads on to the next statement whose numbers the library is to parse; false at the end.
+  bool next_checked(LineScanner& lines, std::string& checked) {
+    checked.clear();
+    while (const auto line = lines.next()) {
+      line_ = lines.line();
+      truncated_ = !lines.ended_by_newline();
+      read_line(*line, checked);
+      if (!checked.empty()) return true;
+    }
+    return false;
+  }
+
+  void read_line(std::string_view rest, std::string& checked) {
     if (rest.size() > limits_.line_bytes)
       throw Error(fmt::format("the line has {}, and at most {} are read", bytes_text(rest.size()),
                               bytes_text(limits_.line_bytes)),
                   here());
     const std::string_view word = take_word(rest);
     if (word.empty() || word[0] == '#') return;
-    if (const auto statement = find_obj_statement(word)) return read_statement(*statement, rest);
+    if (const auto statement = find_obj_statement(word)) return read_statement(*statement, rest, checked);
     unknown_.add(fmt::format("unknown statement '{}'", word.substr(0, 40)), here());
   }
 
-  void read_statement(ObjStatement statement, std::string_view rest) {
+  void read_statement(ObjStatement statement, std::string_view rest, std::string& checked) {
     switch (statement) {
       case ObjStatement::vertex:
-        return read_vertex(rest);
+        return read_vertex(without_comment(rest), checked);
       case ObjStatement::normal:
-        return read_normal(rest);
+        return read_normal(without_comment(rest), checked);
       case ObjStatement::uv:
-        return read_uv(rest);
+        return read_uv(without_comment(rest), checked);
       case ObjStatement::face:
         return read_face(without_comment(rest));
       case ObjStatement::object:
@@ -118,9 +151,8 @@ class ObjReader {
     nameless_.add("usemtl without a name: the faces after it have no material", here());
   }
 
-  Numbers read_numbers(std::string_view rest, std::size_t at_least) {
+  Numbers check_numbers(std::string_view rest, std::size_t at_least) {
     Numbers numbers;
-    rest = without_comment(rest);
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
       const NumberKind kind = classify_number(word);
       if (kind == NumberKind::malformed) {
@@ -128,7 +160,7 @@ class ObjReader {
         return {};
       }
       numbers.not_finite |= kind == NumberKind::not_finite;
-      if (numbers.count < numbers.values.size()) numbers.values[numbers.count++] = number_of(word);
+      ++numbers.count;
     }
     numbers.fine = numbers.count >= at_least && !numbers.not_finite;
     if (numbers.count >= at_least) return numbers;
@@ -136,31 +168,48 @@ class ObjReader {
     return {};
   }
 
-  // Whatever cannot be read still counts, so that the indices of faces stay right.
-  void read_vertex(std::string_view rest) {
-    const Numbers n = read_numbers(rest, 3);
-    data_.positions.push_back(n.fine ? glm::dvec3(n.values[0], n.values[1], n.values[2]) : glm::dvec3(0));
-    count(data_.positions.size(), limits_.vertices, "vertices");
+  // Gives the statement to the library, or counts one that cannot be read as zeros, so that the indices of
+  // faces stay right.
+  template <typename Vector>
+  static void parse_or_zero(const char* keyword, std::string_view numbers, bool fine,
+                            std::vector<Vector>& values, std::string& checked) {
+    if (fine)
+      checked.append(keyword).append(numbers).append("\n");
+    else
+      values.emplace_back(0);
+  }
+
+  void read_vertex(std::string_view rest, std::string& checked) {
+    const std::size_t index = data_.positions.size();
+    count(index + 1, limits_.vertices, "vertices");
+    const Numbers n = check_numbers(rest, 3);
+    parse_or_zero("v ", rest, n.fine, data_.positions, checked);
     if (n.not_finite) bad_numbers_.add("a vertex that is not finite, or beyond 1e18", here());
-    if (!n.fine || n.count < 6) return;
-    data_.colors.resize(data_.positions.size() - 1, glm::vec3(1.0f));
-    data_.colors.emplace_back(n.values[3], n.values[4], n.values[5]);
+    if (n.fine && n.count >= 6) read_color(rest, index);
+  }
+
+  // The library's callbacks leave out what stands behind a position.
+  void read_color(std::string_view rest, std::size_t index) {
+    std::array<double, 6> values{};
+    for (double& value : values) value = number_of(take_word(rest));
+    data_.colors.resize(index, glm::vec3(1.0f));
+    data_.colors.emplace_back(values[3], values[4], values[5]);
   }
 
   // A normal that is not finite is zero, and so computed.
-  void read_normal(std::string_view rest) {
-    const Numbers n = read_numbers(rest, 3);
-    data_.normals.push_back(n.fine ? glm::vec3(n.values[0], n.values[1], n.values[2]) : glm::vec3(0));
-    count(data_.normals.size(), limits_.vertices, "normals");
+  void read_normal(std::string_view rest, std::string& checked) {
+    count(data_.normals.size() + 1, limits_.vertices, "normals");
+    parse_or_zero("vn ", rest, check_numbers(rest, 3).fine, data_.normals, checked);
   }
 
-  void read_uv(std::string_view rest) {
-    const Numbers n = read_numbers(rest, 1);
-    data_.uvs.push_back(n.fine ? glm::dvec2(n.values[0], n.values[1]) : glm::dvec2(0));
-    count(data_.uvs.size(), limits_.vertices, "texture coordinates");
+  void read_uv(std::string_view rest, std::string& checked) {
+    count(data_.uvs.size() + 1, limits_.vertices, "texture coordinates");
+    const Numbers n = check_numbers(rest, 1);
+    parse_or_zero("vt ", rest, n.fine, data_.uvs, checked);
     if (n.not_finite) bad_uvs_.add("a texture coordinate that is not finite is taken as 0", here());
   }
 
+  // Faces are read here: the library takes what is no corner for one, and says nothing of it.
   void read_face(std::string_view rest) {
     const std::size_t first = data_.corners.size();
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
