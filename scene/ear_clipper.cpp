@@ -16,17 +16,8 @@ constexpr std::size_t kMostSteps = 2'000'000'000;
 // The same where no ear is left: most such polygons cross themselves, and have no right triangles.
 constexpr std::size_t kMostLastResortSteps = 100'000'000;
 
-// A corner that is left out where no ear is has an area of rounding below this share of the polygon's bounds.
-constexpr double kRounding = 1e-6;
-
-double area_of_bounds(const std::vector<glm::dvec2>& points) {
-  glm::dvec2 min = points[0], max = points[0];
-  for (const glm::dvec2& p : points) {
-    min = glm::min(min, p);
-    max = glm::max(max, p);
-  }
-  return (max.x - min.x) * (max.y - min.y);
-}
+// A polygon of a model is seldom quite flat: edges that cross by this share of its area do not count.
+constexpr double kTolerance = 1e-3;
 
 bool repeats(std::vector<glm::dvec2> points) {
   const auto before = [](const glm::dvec2& a, const glm::dvec2& b) {
@@ -74,27 +65,26 @@ EarClipper::EarClipper(const std::vector<glm::dvec2>& points, std::vector<glm::u
 }
 
 bool EarClipper::run() {
-  bool exact = true;
   while (left_ > 3) {
-    const std::uint32_t next = next_corner(exact);
+    const std::uint32_t next = next_corner();
     if (steps_ > kMostSteps || last_resort_steps_ > kMostLastResortSteps) {
-      exact = false;
-      break;
+      fan();
+      return false;
     }
     clip(next);
   }
   fan();
-  return exact;
+  return wrong_ <= kTolerance * covered_;
 }
 
-std::uint32_t EarClipper::next_corner(bool& exact) {
+std::uint32_t EarClipper::next_corner() {
   if (const auto next = ear()) return *next;
   if (const auto next = fold()) return *next;
   const std::size_t before = steps_;
   std::optional<std::uint32_t> next = touching_ear();
   if (!next) {
     next = flattest();
-    exact = exact && std::abs(turns_[*next]) <= kRounding * area_of_bounds(points_);
+    wrong_ += std::abs(turns_[*next]);
   }
   last_resort_steps_ += steps_ - before;
   return *next;
@@ -107,7 +97,10 @@ void EarClipper::fan() {
 
 // Where a polygon meets itself in a corner, it may go around its parts in opposite ways.
 void EarClipper::add(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  if (has_repeats_ && turn_of(points_[a], points_[b], points_[c]) < 0) std::swap(a, c);
+  const double turn = turn_of(points_[a], points_[b], points_[c]);
+  covered_ += std::abs(turn);
+  if (turn < 0 && has_repeats_) std::swap(a, c);
+  if (turn < 0 && !has_repeats_) wrong_ -= turn;
   triangles_.emplace_back(a, b, c);
 }
 

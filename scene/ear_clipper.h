@@ -44,7 +44,7 @@ class EarClipper {
   std::optional<std::uint32_t> ear();
   std::optional<std::uint32_t> fold();
   std::optional<std::uint32_t> touching_ear();
-  std::uint32_t next_corner(bool& exact);
+  std::uint32_t next_corner();
   std::uint32_t flattest();
 
   bool goes_inside(std::uint32_t corner, std::uint32_t to, const glm::dvec3& sides, std::uint32_t ear) const;
@@ -64,6 +64,8 @@ class EarClipper {
   Heap folds_;                                       // corners where the polygon may turn back on itself
   std::vector<std::vector<std::uint32_t>> waiting_;  // for each corner, those that it kept from being ears
   bool turned_ = false;                              // whether ears that turn to the right were clipped
+  double covered_ = 0;                               // twice the area of the triangles so far
+  double wrong_ = 0;                                 // twice the area of those that turn back, or are no ears
   std::size_t steps_ = 0;
   std::size_t last_resort_steps_ = 0;
 };

@@ -151,7 +151,7 @@ class ObjLoader {
       problems_.note(
           fmt::format("{} triangles that stand twice are left out", statistics.duplicate_triangles), where);
     if (statistics.crossing_faces > 0)
-      problems_.note(fmt::format("{} faces have edges that cross: no triangles cover them exactly",
+      problems_.note(fmt::format("{} faces have edges that cross, seen flat: no triangles cover them exactly",
                                  statistics.crossing_faces),
                      where);
     if (statistics.bad_normals > 0)

@@ -51,7 +51,7 @@ TEST(ObjExports, APolygonThatTouchesItselfHasItsArea) {
 
 TEST(ObjExports, AFaceWhoseEdgesCrossIsCounted) {
   const auto loaded = load_obj_text("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 1 0\nv -1 1.5 0\nf 1 2 3 4 5\n");
-  EXPECT_THAT(loaded.problems, HasSubstr("note m.obj: 1 faces have edges that cross"));
+  EXPECT_THAT(loaded.problems, HasSubstr("note m.obj: 1 faces have edges that cross, seen flat"));
 }
 
 // Six walls of a prism with sharp edges, without normals.
