@@ -63,7 +63,6 @@ class EarClipper {
   Heap ears_;                                        // corners that may be ears
   Heap folds_;                                       // corners where the polygon may turn back on itself
   std::vector<std::vector<std::uint32_t>> waiting_;  // for each corner, those that it kept from being ears
-  bool turned_ = false;                              // whether ears that turn to the right were clipped
   double covered_ = 0;                               // twice the area of the triangles so far
   double wrong_ = 0;                                 // twice the area of those that turn back, or are no ears
   std::size_t steps_ = 0;

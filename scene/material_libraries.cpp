@@ -56,7 +56,7 @@ void MaterialLibraries::read_file(const fs::path& file) {
   }
 }
 
-void MaterialLibraries::add(MtlMaterial material) {
+void MaterialLibraries::add(MtlMaterial&& material) {
   const std::string name = material.name;
   const std::string where = at_line(material.file, material.line);
   const auto [first, is_first] = materials_.try_emplace(name, std::move(material));

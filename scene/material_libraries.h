@@ -34,7 +34,7 @@ class MaterialLibraries {
 
  private:
   void read_file(const std::filesystem::path& file);
-  void add(MtlMaterial material);
+  void add(MtlMaterial&& material);
 
   const std::filesystem::path& obj_file_;
   const std::set<std::string>& used_;
