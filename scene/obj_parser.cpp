@@ -66,6 +66,7 @@ class ObjReader {
       as(self).data_.uvs.emplace_back(finite(x), finite(y));
     };
     tinyobj::LoadObjWithCallback(stream, callbacks, this);
+    feed.rethrow();
     finish();
     return std::move(data_);
   }

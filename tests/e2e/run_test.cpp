@@ -110,6 +110,7 @@ TEST_F(GlRun, WhatScenesAndVariantsReadIsNotReplaced) {
     const std::string text = read_file(path(kept.reader)), content = read_file(path(kept.old_place));
     std::filesystem::create_directories(path(kept.output).parent_path());
     write("out/ledger.jsonl", "");  // it is the folder of a run
+    write(std::filesystem::path(kept.output).parent_path() / "box.mtl", read_file(path("box.mtl")));
     write(kept.output, content);
     const std::string name =
         kept.reader == std::string("job.json") ? "mine/{scene}-{view}.png" : kept.old_place;
