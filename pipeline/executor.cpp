@@ -63,19 +63,30 @@ class Execution {
   void sort_out() {
     for (std::size_t i = 0; i < plan_.tasks.size(); ++i)
       if ((entries_[i] = cache_.find(plan_.tasks[i]))) schedule_.set_cached(i);
+    const std::vector<bool> needed = needed_by_selected();
     for (std::size_t i = 0; i < plan_.tasks.size(); ++i) {
       if (schedule_.state(i) != TaskState::waiting) continue;
       if (!options_.selected.empty() && !options_.selected[i])
-        leave_out(i);
+        leave_out(i, needed[i]);
       else if (!plan_.tasks[i].refused.empty())
         fail(i, plan_.tasks[i].refused);
     }
   }
 
-  /// What is not asked for is as the last run left it: not there, or failed.
-  void leave_out(std::size_t i) {
-    if (const auto reason = cache_.last_failure(plan_.tasks[i]))
-      schedule_.fail(i, *reason);
+  /// What the selected tasks need, whether it is selected or not.
+  std::vector<bool> needed_by_selected() const {
+    std::vector<bool> needed = options_.selected;
+    for (std::size_t i = needed.size(); i-- > 0;)
+      if (needed[i])
+        for (const std::size_t dep : plan_.tasks[i].deps) needed[dep] = true;
+    return needed;
+  }
+
+  /// Of what is not asked for, only that is told which keeps from being done what is: why it failed before.
+  void leave_out(std::size_t i, bool is_needed) {
+    const auto reason = is_needed ? cache_.last_failure(plan_.tasks[i]) : std::nullopt;
+    if (reason)
+      schedule_.fail(i, "in an earlier run: " + *reason);
     else
       schedule_.skip(i, "not asked for, and not there from an earlier run");
   }

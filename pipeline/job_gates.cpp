@@ -34,7 +34,8 @@ class Names {
     std::string pattern = value.text();
     const auto matches = [&](const std::string& name) { return matches_glob(name, pattern); };
     if (is_missing(pattern) && std::ranges::none_of(listed_, matches))
-      value.fail(fmt::format("no {} is called '{}'{}", what_, pattern, did_you_mean(pattern, listed_)));
+      value.fail(fmt::format("no {} is called '{}'{}", what_, pattern,
+                             did_you_mean(pattern, {exact_.begin(), exact_.end()})));
     return pattern;
   }
 
@@ -60,7 +61,8 @@ struct GateNames {
 /// A metric that the job computes.
 std::string read_metric(const JsonValue& value, const Names& computed) {
   const std::string name = value.text();
-  if (computed.is_missing(name) && std::ranges::count(metrics(), name, &Metric::name) > 0)
+  find_metric(name, value.where());  // or an error that names the nearest one
+  if (computed.is_missing(name))
     value.fail("the job does not compute '" + name + "': name it in the job's 'metrics'");
   return computed.name(value);
 }
@@ -87,8 +89,10 @@ Gate read_gate(const JsonValue& value, const GateNames& names, ProblemList& prob
 /// The views of all scenes that the gate is about; nothing where those of one are not known yet.
 std::optional<std::vector<std::string>> known_views(const Gate& gate, const std::vector<JobScene>& scenes) {
   std::vector<std::string> names;
+  const bool is_named = std::ranges::count(scenes, gate.scene, &JobScene::name) > 0;
   for (const JobScene& scene : scenes) {
-    if (!gate.scene.empty() && !matches_name(scene.name, gate.scene)) continue;
+    if (!gate.scene.empty() && (is_named ? scene.name != gate.scene : !matches_name(scene.name, gate.scene)))
+      continue;
     if (scene.sequence || !std::holds_alternative<std::vector<View>>(scene.views)) return std::nullopt;
     for (const View& view : views_of(scene)) names.push_back(view.name);
   }
@@ -103,8 +107,10 @@ void read_gates(const JsonValue& list, const WholeLists& whole, ProblemList& pro
   if (job.references.empty() && whole.references) items.front().fail("a gate needs a reference in the job");
   if (items.size() > kMaxGates) list.fail(fmt::format("a job has at most {} gates", kMaxGates));
   const GateNames names(job, whole);
-  for (const auto& item : items)
+  for (const auto& item : items) {
+    if (problems.errors() >= kMostProblems) return;
     collect(problems, [&] { job.gates.push_back(read_gate(item, names, problems)); });
+  }
 }
 
 void check_gate_views(const std::vector<Gate>& gates, const std::vector<JobScene>& scenes,

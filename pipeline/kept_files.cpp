@@ -7,6 +7,7 @@
 #include "pipeline/concrete.h"
 #include "renderer/technique.h"
 #include "renderer/techniques/images.h"
+#include "reports/formats/res.h"
 
 namespace lightbench {
 namespace fs = std::filesystem;
@@ -21,6 +22,7 @@ struct Outputs {
 Outputs outputs_of(const Plan& plan) {
   Outputs outputs;
   for (const NamedFile& file : run_files("")) outputs.files.insert(file.path.string());
+  for (const JobVariant& variant : plan.job.variants) outputs.files.insert(res_file(variant.name));
   for (const Task& task : plan.tasks) {
     outputs.files.insert(task.outputs.begin(), task.outputs.end());
     if (task.kind != TaskKind::export_) continue;
@@ -99,7 +101,8 @@ std::vector<NamedFile> read_files(const Job& job, const PlanFacts& facts) {
 
 std::vector<NamedFile> run_files(const fs::path& out) {
   std::vector<NamedFile> files;
-  for (const char* name : {"run.json", "plan.json", "ledger.jsonl", "index.html", "junit.xml", "summary.md"})
+  for (const char* name : {"run.json", "plan.json", "ledger.jsonl", "index.html", "junit.xml", "summary.md",
+                           "cost.svg", "res.txt"})
     files.push_back({std::string("the run's ") + name, out / name});
   return files;
 }

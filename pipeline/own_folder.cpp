@@ -7,13 +7,25 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "pipeline/plan_file.h"
 
 namespace lightbench {
 namespace fs = std::filesystem;
 namespace {
 
-/// One of these is in the folder of every run, even where the other was removed to begin anew.
-constexpr std::array<const char*, 2> kOfARun{"ledger.jsonl", "plan.json"};
+/// A ledger is read, and refused where it is none, when the run begins. A plan alone, left where the ledger
+/// was removed to begin anew, must be one: other programs give their files this name, too.
+bool holds_a_run(const fs::path& out) {
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(out / "ledger.jsonl", error))) return true;
+  try {
+    read_plan(out / "plan.json");
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 /// What other commands write into the folder of a run that there is not yet.
 constexpr std::array<std::string_view, 2> kBeforeARun{"bench.json", "oracle.json"};
 
@@ -36,8 +48,7 @@ std::optional<std::string> foreign_name(const fs::path& folder) {
 
 void check_own_folder(const fs::path& out) {
   std::error_code error;
-  const auto is_there = [&](const char* name) { return fs::exists(fs::symlink_status(out / name, error)); };
-  if (!fs::is_directory(out, error) || std::ranges::any_of(kOfARun, is_there)) return;
+  if (!fs::is_directory(out, error) || holds_a_run(out)) return;
   if (const auto name = foreign_name(out))
     throw Error("holds files, such as " + *name +
                     ", but no run of lightbench: choose an empty folder, a new one or that of an earlier run",

@@ -34,9 +34,9 @@ void Progress::begin(const Schedule& schedule) {
   schedule_ = &schedule;
   watch_ = Stopwatch();
   time_left_ = TimeLeft(schedule);
-  cached_ = schedule.count(TaskState::cached);
+  const std::size_t cached = schedule.count(TaskState::cached);
   const std::size_t waiting = schedule.count(TaskState::waiting);
-  line(fmt::format("{} to do, {} there already; expected {} on {}", counted(waiting, "task"), cached_,
+  line(fmt::format("{} to do, {} there already; expected {} on {}", counted(waiting, "task"), cached,
                    duration_text(remaining_seconds()), counted(std::size_t(places_), "worker")));
 }
 

@@ -38,7 +38,6 @@ class Progress : public Watcher {
   int places_;
   const Schedule* schedule_ = nullptr;
   Stopwatch watch_;
-  std::size_t cached_ = 0;
   TimeLeft time_left_;
   std::size_t workers_ = 0;
   Stopwatch since_;            ///< the number of workers changed

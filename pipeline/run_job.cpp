@@ -61,7 +61,8 @@ std::vector<bool> selection(const Plan& plan, const Ledger& ledger, const RunOpt
   if (!options.retry_failed) return selected;
   std::vector<bool> failed = select_failed(plan, ledger.last());
   for (std::size_t i = 0; i < selected.size(); ++i) failed[i] = failed[i] && selected[i];
-  if (!any(failed)) say("no task failed the last time: there is nothing to retry");
+  const char* of = selected.empty() ? "no task" : "no task that is asked for";
+  if (!any(failed)) say(std::string(of) + " failed the last time: there is nothing to retry");
   return failed;
 }
 

@@ -93,6 +93,7 @@ nlohmann::ordered_json box_json(const PixelBox& box) {
 /// In pixels from the top left corner.
 void add_place(const ErrorPlace& place, nlohmann::ordered_json& json) {
   json["differing_pixels"] = place.differing;
+  if (place.differing == 0) return;
   auto& largest = json["largest_error"] = {{"error", place.largest}, {"x", place.x}, {"y", place.y}};
   largest["region"] = box_json(place.region);
   largest["region"]["pixels"] = place.region_pixels;

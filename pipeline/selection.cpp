@@ -7,7 +7,8 @@
 namespace lightbench {
 
 bool is_selected(const std::string& label, const std::string& only) {
-  return only.empty() || matches_glob(label, only) || matches_glob(label, only + "/*");
+  return only.empty() || label == only || label.starts_with(only + "/") || matches_glob(label, only) ||
+         matches_glob(label, only + "/*");
 }
 
 std::vector<bool> select_tasks(const Plan& plan, const std::set<TaskKind>& stages, const std::string& only) {

@@ -63,7 +63,7 @@ std::optional<ErrorPlace> find_error(const Image8& a, const Image8& b) {
 std::string error_place_text(const std::optional<ErrorPlace>& place) {
   if (!place) return "no pixel differs in colour\n";
   return fmt::format(
-      "{} {} in colour, counted from the top left corner:\n"
+      "{} {} in colour (x and y are counted from the top left corner, from 0):\n"
       "  largest error {} of 255 at x {}, y {}; {} around it with at least half of that at {}\n"
       "  worst block of {} x {} pixels at {}, with a mean error of {:.3f} of 255\n",
       counted(place->differing, "pixel"), place->differing == 1 ? "differs" : "differ", place->largest,

@@ -8,17 +8,21 @@
 namespace lightbench {
 namespace {
 
-bool matches(const std::string& name, const std::string& pattern) {
-  return pattern.empty() || name == pattern || matches_glob(name, pattern);
+/// What is called by its name is meant alone, though its name may be a pattern, such as isr[samples=24].
+bool matches(const std::string& name, const std::string& pattern, const std::set<std::string>& names) {
+  return pattern.empty() || (names.contains(pattern) ? name == pattern : matches_glob(name, pattern));
 }
 
 }  // namespace
 
 GateSampler::GateSampler(const RunReport& report) : report_(report) {
   for (const ReportImage& image : report.images) images_[{{image.scene, image.view}, image.source}] = &image;
-  for (const ReportScore& score : report.scores)
+  for (const ReportScore& score : report.scores) {
+    scenes_.insert(score.scene);
+    views_.insert(score.view);
     if (score.variant == report.baseline)
       baseline_error_[{{score.scene, score.view}, score.reference}] = metric_of(score, "mean_error").value;
+  }
 }
 
 const ReportImage* GateSampler::image(const ReportScore& score, const std::string& source) const {
@@ -50,7 +54,7 @@ GateSamples GateSampler::samples_of(const Gate& gate, const std::string& variant
   GateSamples samples;
   for (const ReportScore& score : report_.scores) {
     if (score.variant != variant || (!reference.empty() && score.reference != reference) ||
-        !matches(score.scene, gate.scene) || !matches(score.view, gate.view))
+        !matches(score.scene, gate.scene, scenes_) || !matches(score.view, gate.view, views_))
       continue;
     if (!was_tried(score)) {
       samples.missing.push_back(&score);

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -41,6 +42,8 @@ class GateSampler {
   std::optional<double> unit_of(const ReportScore& score, NoiseUnit unit) const;
 
   const RunReport& report_;
+  std::set<std::string> scenes_;
+  std::set<std::string> views_;
   std::map<std::pair<View, std::string>, const ReportImage*> images_;             ///< by view and source
   std::map<std::pair<View, std::string>, std::optional<double>> baseline_error_;  ///< by view and reference
 };

@@ -188,8 +188,9 @@ ReportGate evaluate(const Gate& gate, const RunReport& report, const GateSampler
   }
   Findings findings;
   GateViews views(gate);
+  const bool is_named = std::ranges::count(report.variants, gate.variant, &ReportImageSource::name) > 0;
   for (const ReportImageSource& variant : report.variants) {
-    if (variant.name != gate.variant && !matches_glob(variant.name, gate.variant)) continue;
+    if (is_named ? variant.name != gate.variant : !matches_glob(variant.name, gate.variant)) continue;
     const GateSamples samples = sampler.samples_of(gate, variant.name);
     if (samples.made.empty() && samples.missing.empty()) continue;
     findings.add(gate, samples, report.partial, variant.name == gate.variant ? "" : variant.name + ": ");
@@ -198,10 +199,6 @@ ReportGate evaluate(const Gate& gate, const RunReport& report, const GateSampler
   result.views = std::move(views).worst_first();
   return findings.summed_up(std::move(result));
 }
-
-}  // namespace
-
-namespace {
 
 /// What a gate is about besides its metric and variant.
 std::string scope_text(const Gate& gate) {

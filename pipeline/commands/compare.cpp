@@ -11,6 +11,7 @@
 #include "pipeline/score.h"
 #include "pipeline/tables.h"
 #include "reports/escape.h"
+#include "reports/value_text.h"
 
 namespace lightbench {
 namespace {
@@ -41,8 +42,10 @@ void print_table(const CompareResult& result) {
               result.height, plain_line(result.mask_source).c_str());
   std::printf("%s", error_place_text(result.place).c_str());
   if (result.alpha.pixels > 0)
-    std::printf("not equal: %zu pixels have another alpha, by up to %d of 255; metrics do not tell of it\n",
-                result.alpha.pixels, result.alpha.largest);
+    std::printf(
+        "not equal: %s another alpha, by up to %d of 255; metrics do not tell of it\n",
+        (counted(result.alpha.pixels, "pixel") + (result.alpha.pixels == 1 ? " has" : " have")).c_str(),
+        result.alpha.largest);
 }
 
 ExitCode run_compare(const CompareParams& params) {
@@ -59,7 +62,7 @@ ExitCode run_compare(const CompareParams& params) {
   if (params.json)
     std::printf("%s", score_json({.masked_pixels = result.mask_pixels,
                                   .metrics = {result.metrics.begin(), result.metrics.end()},
-                                  .place = result.place,
+                                  .place = result.place.value_or(ErrorPlace{}),
                                   .alpha = result.alpha})
                           .c_str());
   else

@@ -41,7 +41,8 @@ void add_report_command(CLI::App& app, Action& action) {
       ->allow_extra_args(false)
       ->check(one_of(names));
   command->footer(
-      "Exit codes are those of the run.\n\nExample:\n  lightbench report out/cornell --format html,junit");
+      "Exit codes are those of a run whose tasks are all asked for.\n\nExample:\n  lightbench report "
+      "out/cornell --format html,junit");
 }
 
 }  // namespace lightbench

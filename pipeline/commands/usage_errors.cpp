@@ -66,8 +66,11 @@ void check_leftovers(const CLI::App& app) {
   const auto option = std::ranges::find_if(words, is_option);
   if (option == words.end()) throw Error(fmt::format("'{}' is one word too many{}", words.front(), see));
   const std::string name = option->substr(0, option->find('='));
-  throw Error(
-      fmt::format("there is no option '{}'{}{}", name, did_you_mean(name, option_names(command)), see));
+  const std::vector<std::string> names = option_names(command);
+  if (std::ranges::find(names, name) != names.end())
+    throw Error(
+        fmt::format("'{}' must stand behind the command: {} {}{}", name, full_name(command), name, see));
+  throw Error(fmt::format("there is no option '{}'{}{}", name, did_you_mean(name, names), see));
 }
 
 CLI::Validator one_of(std::vector<std::string> names) {

@@ -64,14 +64,17 @@ std::string lines(const RunReport& report, const std::string& variant, const Sco
 
 }  // namespace
 
+std::string res_file(const std::string& variant) {
+  return "res-" + escape_file_name(variant) + ".txt";
+}
+
 std::vector<ReportFile> write_res(const RunReport& report) {
   std::vector<ReportFile> files;
   if (report.baseline.empty()) return files;
   const ScoresByView baseline = scores_of(report, report.baseline);
   for (const ReportImageSource& variant : report.variants)
     if (variant.name != report.baseline)
-      files.push_back(
-          {"res-" + escape_file_name(variant.name) + ".txt", lines(report, variant.name, baseline)});
+      files.push_back({res_file(variant.name), lines(report, variant.name, baseline)});
   if (files.size() == 1) files.front().name = "res.txt";
   return files;
 }

@@ -17,4 +17,7 @@ namespace lightbench {
 /// baseline, else res-<variant>.txt for each; nothing where the run has no baseline.
 std::vector<ReportFile> write_res(const RunReport& report);
 
+/// The name of a variant's file where there are several.
+std::string res_file(const std::string& variant);
+
 }  // namespace lightbench

@@ -193,9 +193,17 @@ TEST_F(Execute, WhatFailedBeforeAndIsNotAskedForIsToldWithItsReason) {
   const auto outcomes = run();
   EXPECT_TRUE(runner_.begun.empty());
   EXPECT_EQ(outcomes[picture].state, TaskState::failed);
-  EXPECT_EQ(outcomes[picture].reason, "no light");
+  EXPECT_EQ(outcomes[picture].reason, "in an earlier run: no light");
   EXPECT_EQ(outcomes[score].state, TaskState::skipped);
-  EXPECT_THAT(outcomes[score].reason, HasSubstr("which failed: no light"));
+  EXPECT_THAT(outcomes[score].reason, HasSubstr("which failed: in an earlier run: no light"));
+}
+
+TEST_F(Execute, WhatFailedBeforeAndIsNotNeededIsNotTold) {
+  runner_.failing = {"snapshot:one/a/other"};
+  run();
+  options_.selected.assign(plan_.tasks.size(), false);
+  options_.selected[index("score:two/a/direct/truth")] = true;
+  EXPECT_EQ(run()[index("snapshot:one/a/other")].state, TaskState::skipped);
 }
 
 TEST_F(Execute, ADeadWorkerLosesOnlyTheTaskThatItHadBegun) {
