@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <strings.h>
@@ -45,21 +47,19 @@ std::string layer_name(const std::vector<FilePart>& parts, const FilePart& part,
   return prefix.starts_with(part.name + ".") ? prefix : part.name + "." + prefix;
 }
 
-Layer& layer_of(std::vector<Layer>& layers, const std::string& name, std::size_t part) {
-  const auto found = std::ranges::find_if(
-      layers, [&](const Layer& layer) { return layer.part == part && layer.name == name; });
-  return found != layers.end() ? *found : layers.emplace_back(Layer{name, part});
-}
-
 std::vector<Layer> find_layers(const std::vector<FilePart>& parts) {
   std::vector<Layer> layers;
+  std::map<std::pair<std::size_t, std::string>, std::size_t> index;
   for (std::size_t part = 0; part < parts.size(); ++part)
     for (std::size_t i = 0; i < parts[part].channels.size(); ++i) {
       const std::string& channel = parts[part].channels[i];
       const std::size_t dot = channel.rfind('.');
       const std::string prefix = dot == std::string::npos ? "" : channel.substr(0, dot);
       const std::string suffix = dot == std::string::npos ? channel : channel.substr(dot + 1);
-      Layer& layer = layer_of(layers, layer_name(parts, parts[part], prefix), part);
+      const std::string name = layer_name(parts, parts[part], prefix);
+      const auto [position, is_new] = index.try_emplace({part, name}, layers.size());
+      if (is_new) layers.push_back(Layer{name, part});
+      Layer& layer = layers[position->second];
       for (const ChannelName& row : kChannelNames)
         if (::strcasecmp(row.name, suffix.c_str()) == 0 && !layer.has(row.role))
           layer.channels[row.role] = int(i);

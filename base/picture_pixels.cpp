@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/error.h"
 #include "base/text.h"
 
@@ -52,10 +54,22 @@ struct Strip {
   std::vector<Component> data;
 };
 
-/// Lines that are read at once: whole tiles, or whole blocks of what OpenEXR packs together in most files.
-int strip_height(const OIIO::ImageSpec& spec) {
-  constexpr int kLines = 64;
-  return spec.tile_width > 0 ? std::min(std::max(spec.tile_height, 1), spec.height) : kLines;
+/// Lines that are read at once: whole tiles, or whole blocks of what OpenEXR packs together in most files,
+/// but fewer where the channels of the picture lie far apart in the file.
+std::int64_t strip_height(const OIIO::ImageSpec& spec, const ChannelRange& range, std::size_t component,
+                          const std::filesystem::path& file) {
+  constexpr std::int64_t kLines = 64, kBytes = std::int64_t(64) << 20, kMostBytes = std::int64_t(2) << 30;
+  const std::int64_t line =
+      std::max<std::int64_t>(std::int64_t(spec.width) * range.count() * std::int64_t(component), 1);
+  if (spec.tile_width == 0) return std::clamp<std::int64_t>(kBytes / line, 1, kLines);
+  const std::int64_t height = std::min(std::max(spec.tile_height, 1), spec.height);
+  if (height * line > kMostBytes)
+    throw Error(
+        fmt::format("a row of its tiles takes {} bytes, with the {} channels between the first and the "
+                    "last one of the picture",
+                    height * line, range.count()),
+        file.string());
+  return height;
 }
 
 template <typename Component>
@@ -99,7 +113,7 @@ void read_in_strips(BasicImage<Component>& image, OIIO::ImageInput& input, const
   clear_channels(image, picture.indices.size());
   const std::int64_t data_bottom = std::int64_t(spec.y) + spec.height;
   const std::int64_t display_bottom = std::int64_t(spec.full_y) + spec.full_height;
-  const std::int64_t height = strip_height(spec);
+  const std::int64_t height = strip_height(spec, ChannelRange(picture), sizeof(Component), file);
   Strip<Component> strip{};
   for (strip.top = spec.y; strip.top < std::min(data_bottom, display_bottom); strip.top += height) {
     strip.bottom = std::min(strip.top + height, data_bottom);

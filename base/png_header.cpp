@@ -37,7 +37,7 @@ bool read_primaries(ByteReader& reader) {
 /// Reads what counts of a chunk, and returns how many of its bytes it has read.
 std::size_t read_chunk(ByteReader& reader, const std::string& type, std::uint32_t bytes,
                        ColorChunks& chunks) {
-  if (type == "sRGB" || type == "iCCP") chunks.space = true;
+  if (type == "sRGB" || type == "iCCP" || type == "cICP") chunks.space = true;
   if (type == "gAMA" && bytes == 4) {
     chunks.gamma = long(reader.big_endian().value_or(0));
     return bytes;

@@ -11,11 +11,6 @@
 namespace lightbench {
 namespace {
 
-// Looks at corners, after which a polygon has taken some ten seconds.
-constexpr std::size_t kMostSteps = 2'000'000'000;
-// The same where no ear is left: most such polygons cross themselves, and have no right triangles.
-constexpr std::size_t kMostLastResortSteps = 100'000'000;
-
 // A polygon of a model is seldom quite flat: edges that cross by this share of its area do not count.
 constexpr double kTolerance = 1e-3;
 
@@ -47,9 +42,11 @@ double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return std::fma(u.x, v.y, -right) + lost;
 }
 
-EarClipper::EarClipper(const std::vector<glm::dvec2>& points, std::vector<glm::uvec3>& triangles)
+EarClipper::EarClipper(const std::vector<glm::dvec2>& points, std::vector<glm::uvec3>& triangles,
+                       ClippingBudget& budget)
     : points_(points),
       triangles_(triangles),
+      budget_(budget),
       grid_(points),
       clipped_(points.size()),
       turns_(points.size()),
@@ -67,13 +64,16 @@ EarClipper::EarClipper(const std::vector<glm::dvec2>& points, std::vector<glm::u
 bool EarClipper::run() {
   while (left_ > 3) {
     const std::uint32_t next = next_corner();
-    if (steps_ > kMostSteps || last_resort_steps_ > kMostLastResortSteps) {
+    if (steps_ > budget_.steps || last_resort_steps_ > budget_.last_resort_steps) {
+      budget_ = {0, 0};
       fan();
       return false;
     }
     clip(next);
   }
   fan();
+  budget_.steps -= std::min(budget_.steps, steps_);
+  budget_.last_resort_steps -= std::min(budget_.last_resort_steps, last_resort_steps_);
   return wrong_ <= kTolerance * covered_;
 }
 

@@ -16,14 +16,22 @@ namespace lightbench {
 /// Twice the area of a triangle, positive where it turns to the left. It is 0 where two corners are the same.
 double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
 
+/// How much work a file's polygons may make together.
+struct ClippingBudget {
+  std::size_t steps = 2'000'000'000;  ///< looks at corners, for which a polygon takes some ten seconds
+  /// Those where no ear is left: most such polygons cross themselves, and have no right triangles.
+  std::size_t last_resort_steps = 100'000'000;
+};
+
 /// Cuts a polygon of n corners, seen so that most of it turns to the left, into n - 2 triangles by clipping
 /// ears. Corners may lie on one another or on other edges, as where a bridge leads to a hole, and edges may
 /// run back over one another. Triangles then cover what an odd number of turns goes around, and some have no
-/// area. Of a polygon whose edges cross between its corners, and of one that takes too long, the rest is cut
-/// as it comes.
+/// area. Of a polygon whose edges cross between its corners, and of one that the budget does not suffice for,
+/// the rest is cut as it comes.
 class EarClipper {
  public:
-  EarClipper(const std::vector<glm::dvec2>& points, std::vector<glm::uvec3>& triangles);
+  EarClipper(const std::vector<glm::dvec2>& points, std::vector<glm::uvec3>& triangles,
+             ClippingBudget& budget);
 
   /// False where the triangles do not cover the polygon exactly.
   bool run();
@@ -53,6 +61,7 @@ class EarClipper {
 
   const std::vector<glm::dvec2>& points_;
   std::vector<glm::uvec3>& triangles_;
+  ClippingBudget& budget_;
   const PointGrid grid_;
   std::vector<std::uint32_t> before_, after_;  // the polygon that is left, as a ring
   std::vector<bool> clipped_;

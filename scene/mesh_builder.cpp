@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <numeric>
 #include <span>
@@ -24,8 +25,6 @@ namespace {
 // A triangle whose height is below this share of its longest side has no normal worth the name in 32-bit
 // floats.
 constexpr double kSmallestHeight = 1e-6;
-
-constexpr std::uint32_t kNone = ~0u;
 
 std::vector<glm::vec3> positions_from(const ObjData& data, const glm::dvec3& origin) {
   std::vector<glm::vec3> positions;
@@ -91,7 +90,7 @@ class MeshBuilder {
     cut_.clear();
     for (std::uint32_t i = 0; i < face.corner_count; ++i)
       polygon_.push_back(welded_.points[point(face.first_corner + i)]);
-    if (!triangulate(polygon_, cut_)) ++result_.statistics.crossing_faces;
+    if (!triangulate(polygon_, cut_, budget_)) ++result_.statistics.crossing_faces;
     for (const glm::uvec3& t : cut_) {
       const std::uint32_t first = face.first_corner;
       if (is_degenerate(polygon_[t.x], polygon_[t.y], polygon_[t.z]))
@@ -175,7 +174,6 @@ class MeshBuilder {
       const ObjFace &s = face(triangles_[a]), &t = face(triangles_[b]);
       return s.shape != t.shape ? s.shape < t.shape : s.material < t.material;
     });
-    vertex_head_.assign(data_.positions.size(), kNone);
     for (std::size_t start = 0; start < order.size();) {
       std::size_t end = start;
       const std::int32_t shape = face(triangles_[order[start]]).shape;
@@ -193,38 +191,43 @@ class MeshBuilder {
       return std::any_of(c.begin(), c.end(), [&](std::uint32_t k) { return data_.corners[k].uv >= 0; });
     });
     vertex_corner_.clear();
-    vertex_next_.clear();
+    IndexTable vertices(3 * order.size());
     for (const std::size_t i : order) {
       const Triangle& t = triangles_[i];
       const std::int32_t material = face(t).material;
       glm::uvec3 indices;
       for (std::size_t k = 0; k < 3; ++k)
-        indices[int(k)] = vertex(mesh, t.corners[k], uvs_.at(t.corners[k], t.face), normals_[3 * i + k]);
+        indices[int(k)] =
+            vertex(mesh, vertices, t.corners[k], uvs_.at(t.corners[k], t.face), normals_[3 * i + k]);
       if (mesh.parts.empty() || mesh.parts.back().material != material)
         mesh.parts.push_back({material, std::uint32_t(mesh.triangles.size()), 0});
       mesh.triangles.push_back(indices);
       ++mesh.parts.back().triangle_count;
     }
-    for (const std::uint32_t corner : vertex_corner_)
-      vertex_head_[std::size_t(data_.corners[corner].position)] = kNone;
   }
 
-  // The mesh's vertex for a corner: vertices of one position form a chain.
-  std::uint32_t vertex(Mesh& mesh, std::uint32_t corner, const glm::vec2& uv, const glm::vec3& normal) {
+  // The mesh's vertex for a corner.
+  std::uint32_t vertex(Mesh& mesh, IndexTable& vertices, std::uint32_t corner, const glm::vec2& uv,
+                       const glm::vec3& normal) {
     const ObjCorner& c = data_.corners[corner];
+    const auto is_same = [&](std::uint32_t i) {
+      const ObjCorner& other = data_.corners[vertex_corner_[i]];
+      return other.position == c.position && other.uv == c.uv && mesh.normals[i] == normal &&
+             (!mesh_has_uvs_ || mesh.uvs[i] == uv);
+    };
+    std::uint64_t hash = mix_hash(mix_hash(0, std::uint32_t(c.position)), std::uint32_t(c.uv));
+    // -0 is 0. Where a face is moved to another repeat of its texture, corners with one uv differ in it.
+    for (const float x : {normal.x, normal.y, normal.z, mesh_has_uvs_ ? uv.x : 0, mesh_has_uvs_ ? uv.y : 0})
+      hash = mix_hash(hash, std::bit_cast<std::uint32_t>(x + 0.0f));
+    const auto next = std::uint32_t(mesh.positions.size());
+    const std::uint32_t index = vertices.find_or_insert(hash, next, is_same);
+    if (index != next) return index;
     const auto position = std::size_t(c.position);
-    for (std::uint32_t i = vertex_head_[position]; i != kNone; i = vertex_next_[i])
-      if (data_.corners[vertex_corner_[i]].uv == c.uv && mesh.normals[i] == normal &&
-          (!mesh_has_uvs_ || mesh.uvs[i] == uv))
-        return i;
-    const auto index = std::uint32_t(mesh.positions.size());
     mesh.positions.push_back(positions_[position]);
     mesh.normals.push_back(normal);
     if (mesh_has_uvs_) mesh.uvs.push_back(uv);
     if (!data_.colors.empty()) mesh.colors.push_back(data_.colors[position]);
     vertex_corner_.push_back(corner);
-    vertex_next_.push_back(vertex_head_[position]);
-    vertex_head_[position] = index;
     return index;
   }
 
@@ -237,11 +240,10 @@ class MeshBuilder {
   BuiltMeshes result_;
   std::vector<glm::vec3> polygon_;  // of the face being cut
   std::vector<glm::uvec3> cut_;
+  ClippingBudget budget_;
   std::vector<Triangle> triangles_;
   std::vector<glm::vec3> normals_;            // three a triangle
-  std::vector<std::uint32_t> vertex_head_;    // of each position, in the mesh being built
-  std::vector<std::uint32_t> vertex_next_;    // of each vertex
-  std::vector<std::uint32_t> vertex_corner_;  // the first corner that needed the vertex
+  std::vector<std::uint32_t> vertex_corner_;  // the first corner that needed a vertex of the mesh being built
   bool mesh_has_uvs_ = false;
 };
 

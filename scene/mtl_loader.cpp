@@ -170,7 +170,8 @@ class MtlReader {
     if (keyword.use == Use::color) read_color(keyword, rest);
     if (keyword.use == Use::number) read_number(keyword, rest);
     if (keyword.use == Use::texture || keyword.use == Use::ambient_texture) read_texture(keyword, rest);
-    if (keyword.use == Use::unshown) m.unshown.emplace_back(keyword.name);
+    if (keyword.use == Use::unshown && std::ranges::find(m.unshown, keyword.name) == m.unshown.end())
+      m.unshown.emplace_back(keyword.name);
     if (keyword.name == "illum" && number_of(take_word(rest)) >= 3)
       m.unshown.emplace_back("mirror or glass (illum 3 and above)");
   }

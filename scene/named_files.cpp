@@ -52,12 +52,18 @@ class WordRuns {
   std::vector<std::string_view> words_;
 };
 
+// A line of more words names no file: each of them would be looked for.
+constexpr std::size_t kMostWordsOnALine = 32;
+constexpr std::size_t kShownOfALine = 80;
+
 }  // namespace
 
 std::vector<std::string> names_on_line(const std::string& text, const fs::path& folder,
                                        std::string_view extension) {
   if (is_named_exactly(text, folder)) return {text};
-  const WordRuns words(text, folder);
+  const std::string uncommented(stripped(without_comment(text)));
+  const WordRuns words(uncommented, folder);
+  if (words.size() > kMostWordsOnALine) return {uncommented.substr(0, kShownOfALine) + "..."};
   std::vector<std::string> names;
   for (std::size_t first = 0; first < words.size();) {
     const auto end = words.end_of_file(first);

@@ -25,6 +25,7 @@ class ObjNames {
   std::int32_t shape();
   std::int32_t material();
   std::int32_t smoothing() const { return smoothing_; }
+  std::size_t smoothing_groups() const { return smoothing_groups_.names().size(); }
 
   std::vector<std::string> shapes() const { return {shapes_.names().begin(), shapes_.names().end()}; }
   /// Those that faces have, with the line of the statement.

@@ -26,11 +26,19 @@
 namespace lightbench {
 namespace {
 
+// Files write negative colours never, so that this one stands for none.
+const glm::vec3 kNoColor(-1e30f);
+// Colours of 0 to 1 may be a little above; the smallest white of 0 to 255 is far above.
+constexpr float kLargestRoundedColor = 2;
+
 // What a statement's numbers are, apart from their values.
 struct Numbers {
   std::size_t count = 0;
-  bool fine = false;        // enough of them, all finite
-  bool not_finite = false;  // enough or not, one is not finite
+  std::size_t finite = 0;  // so many before the first one that is not
+  std::string_view odd;    // that one
+  std::string_view used;   // the text of those that the library is to parse
+
+  bool are_fine(std::size_t wanted) const { return count > 0 && finite >= std::min(count, wanted); }
 };
 
 // Checks the statements one by one, keeps what they name, and lets the library parse the numbers of those
@@ -47,6 +55,8 @@ class ObjReader {
         bad_corners_(problems, Problem::Severity::error, "faces with a malformed corner", file.string()),
         bad_uvs_(problems, Problem::Severity::warning, "texture coordinates that are not finite",
                  file.string()),
+        bad_colors_(problems, Problem::Severity::warning, "vertex colours that are not finite",
+                    file.string()),
         nameless_(problems, Problem::Severity::note, "usemtl without a name", file.string()),
         unknown_(problems, Problem::Severity::warning, "unknown statements", file.string()),
         indices_(data_, file, problems) {}
@@ -114,11 +124,13 @@ class ObjReader {
       case ObjStatement::group:
         return names_.begin_group(name_in(rest));
       case ObjStatement::smoothing:
-        return names_.begin_smoothing(stripped(without_comment(rest)));
+        names_.begin_smoothing(stripped(without_comment(rest)));
+        return count(names_.smoothing_groups(), limits_.names, "smoothing groups");
       case ObjStatement::material:
         return use_material(name_in(rest));
       case ObjStatement::library:
-        return data_.material_libraries.push_back({std::string(name_in(rest)), line_});
+        data_.material_libraries.push_back({std::string(name_in(rest)), line_});
+        return count(data_.material_libraries.size(), limits_.libraries, "statements mtllib");
       case ObjStatement::line_or_point:
         ++lines_and_points_;
         return;
@@ -152,18 +164,21 @@ class ObjReader {
     nameless_.add("usemtl without a name: the faces after it have no material", here());
   }
 
-  Numbers check_numbers(std::string_view rest, std::size_t at_least) {
+  // At least so many numbers must be there, and at most so many are used. None where the statement is
+  // malformed.
+  Numbers check_numbers(std::string_view text, std::size_t at_least, std::size_t used) {
     Numbers numbers;
+    std::string_view rest = text;
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
       const NumberKind kind = classify_number(word);
       if (kind == NumberKind::malformed) {
         bad_numbers_.add(fmt::format("'{}' is not a number{}", word.substr(0, 40), cut()), here());
         return {};
       }
-      numbers.not_finite |= kind == NumberKind::not_finite;
-      ++numbers.count;
+      if (kind == NumberKind::finite && numbers.odd.empty()) ++numbers.finite;
+      if (kind == NumberKind::not_finite && numbers.odd.empty()) numbers.odd = word.substr(0, 40);
+      if (++numbers.count <= used) numbers.used = text.substr(0, std::size_t(rest.data() - text.data()));
     }
-    numbers.fine = numbers.count >= at_least && !numbers.not_finite;
     if (numbers.count >= at_least) return numbers;
     short_lines_.add(fmt::format("{} numbers where {} are needed{}", numbers.count, at_least, cut()), here());
     return {};
@@ -183,31 +198,37 @@ class ObjReader {
   void read_vertex(std::string_view rest, std::string& checked) {
     const std::size_t index = data_.positions.size();
     count(index + 1, limits_.vertices, "vertices");
-    const Numbers n = check_numbers(rest, 3);
-    parse_or_zero("v ", rest, n.fine, data_.positions, checked);
-    if (n.not_finite) bad_numbers_.add("a vertex that is not finite, or beyond 1e18", here());
-    if (n.fine && n.count >= 6) read_color(rest, index);
+    const Numbers n = check_numbers(rest, 3, 3);
+    parse_or_zero("v ", n.used, n.are_fine(3), data_.positions, checked);
+    if (n.count > 0 && !n.are_fine(3))
+      bad_numbers_.add(fmt::format("a vertex has '{}', which is no finite number up to 1e18", n.odd), here());
+    else if (n.count >= 6)
+      read_color(rest, n, index);
   }
 
   // The library's callbacks leave out what stands behind a position.
-  void read_color(std::string_view rest, std::size_t index) {
+  void read_color(std::string_view rest, const Numbers& n, std::size_t index) {
+    if (!n.are_fine(6))
+      return bad_colors_.add(fmt::format("a vertex colour with '{}' is left out", n.odd), here());
     std::array<double, 6> values{};
     for (double& value : values) value = number_of(take_word(rest));
-    data_.colors.resize(index, glm::vec3(1.0f));
+    data_.colors.resize(index, kNoColor);
     data_.colors.emplace_back(values[3], values[4], values[5]);
   }
 
   // A normal that is not finite is zero, and so computed.
   void read_normal(std::string_view rest, std::string& checked) {
     count(data_.normals.size() + 1, limits_.vertices, "normals");
-    parse_or_zero("vn ", rest, check_numbers(rest, 3).fine, data_.normals, checked);
+    const Numbers n = check_numbers(rest, 3, 3);
+    parse_or_zero("vn ", n.used, n.are_fine(3), data_.normals, checked);
   }
 
   void read_uv(std::string_view rest, std::string& checked) {
     count(data_.uvs.size() + 1, limits_.vertices, "texture coordinates");
-    const Numbers n = check_numbers(rest, 1);
-    parse_or_zero("vt ", rest, n.fine, data_.uvs, checked);
-    if (n.not_finite) bad_uvs_.add("a texture coordinate that is not finite is taken as 0", here());
+    const Numbers n = check_numbers(rest, 1, 2);
+    parse_or_zero("vt ", n.used, n.are_fine(2), data_.uvs, checked);
+    if (n.count > 0 && !n.are_fine(2))
+      bad_uvs_.add(fmt::format("a texture coordinate '{}' is taken as 0", n.odd), here());
   }
 
   // Faces are read here: the library takes what is no corner for one, and says nothing of it.
@@ -246,14 +267,11 @@ class ObjReader {
 
   void finish_colors() {
     float largest = 0;
-    for (glm::vec3& c : data_.colors) {
-      c = glm::max(c, glm::vec3(0));
-      largest = std::max({largest, c.x, c.y, c.z});
-    }
-    if (largest > 1) {
-      problems_.warning("vertex colours above 1: they are taken as 0 to 255", file_.string());
-      for (glm::vec3& c : data_.colors) c /= 255.0f;
-    }
+    for (const glm::vec3& c : data_.colors) largest = std::max({largest, c.x, c.y, c.z});
+    const bool bytes = largest > kLargestRoundedColor;
+    if (bytes) problems_.warning("vertex colours above 2: all are taken as 0 to 255", file_.string());
+    for (glm::vec3& c : data_.colors)
+      c = c == kNoColor ? glm::vec3(1) : glm::clamp(bytes ? c / 255.0f : c, glm::vec3(0), glm::vec3(1));
     // Those without one are white.
     if (!data_.colors.empty()) data_.colors.resize(data_.positions.size(), glm::vec3(1.0f));
   }
@@ -282,6 +300,7 @@ class ObjReader {
   RepeatedProblem short_lines_;
   RepeatedProblem bad_corners_;
   RepeatedProblem bad_uvs_;
+  RepeatedProblem bad_colors_;
   RepeatedProblem nameless_;
   RepeatedProblem unknown_;
   ObjData data_;

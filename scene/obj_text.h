@@ -20,6 +20,7 @@ struct ObjLimits {
   std::size_t corners = 150'000'000;   ///< of all faces
   std::size_t triangles = 50'000'000;  ///< that all faces are cut into
   std::size_t names = 2'000'000;       ///< statements `o`, `g`, `usemtl` and `mtllib`
+  std::size_t libraries = 50'000;      ///< statements `mtllib`: each word of one may be a file to look for
   /// What follows such a keyword. A mesh is named after its object and its group, so that one long name of an
   /// object would be copied for each of its groups.
   std::size_t name_bytes = 4'000;

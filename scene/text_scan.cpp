@@ -1,8 +1,10 @@
 #include "scene/text_scan.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace lightbench {
 namespace {
@@ -16,23 +18,6 @@ bool is_digit(char c) {
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-}
-
-bool contains_ignoring_case(std::string_view word, std::string_view part) {
-  for (std::size_t i = 0; i + part.size() <= word.size(); ++i) {
-    std::size_t k = 0;
-    while (k < part.size() && lower(word[i + k]) == part[k]) ++k;
-    if (k == part.size()) return true;
-  }
-  return false;
-}
-
-// nan, -nan(ind), inf, 1.#IND, -1.#QNAN, 1.#J (of "%.2f"): what C libraries print for what is not a number.
-bool names_non_finite(std::string_view word) {
-  constexpr std::array<std::string_view, 3> kNames{"nan", "inf", "1.#"};
-  for (const std::string_view name : kNames)
-    if (contains_ignoring_case(word, name)) return true;
-  return false;
 }
 
 }  // namespace
@@ -77,6 +62,19 @@ std::string lower_case(std::string_view text) {
   return lowered;
 }
 
+namespace {
+
+// nan, -nan(ind), inf, 1.#IND, -1.#QNAN, 1.#J (of "%.2f"): what C libraries print for what is not a number.
+bool names_non_finite(std::string_view word) {
+  if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+  const std::string name = lower_case(word);
+  constexpr std::array<std::string_view, 5> kNames{"nan", "nanq", "nans", "inf", "infinity"};
+  if (std::ranges::find(kNames, name) != kNames.end() || name.starts_with("nan(")) return true;
+  return name.find_first_not_of("0123456789") == name.find(".#") && name.find(".#") != name.npos;
+}
+
+}  // namespace
+
 NumberKind classify_number(std::string_view word) {
   std::size_t i = 0;
   if (i < word.size() && (word[i] == '+' || word[i] == '-')) ++i;
@@ -109,9 +107,8 @@ double number_of(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0;
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-  // Out of range: too large to be a coordinate, or too small to differ from 0.
-  if (result.ec == std::errc::result_out_of_range)
-    return word.find("e-") == word.npos && word.find("E-") == word.npos ? HUGE_VAL : 0.0;
+  // Infinity, or what is left of a number that is too small.
+  if (result.ec == std::errc::result_out_of_range) return std::strtod(std::string(word).c_str(), nullptr);
   return value;
 }
 

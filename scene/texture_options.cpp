@@ -96,7 +96,8 @@ void apply(const Option& option, const Arguments& arguments, std::size_t count, 
     if (option.name == "-s") statement.placement.scale[int(i)] = number_of(arguments.words[i]);
     if (option.name == "-o") statement.placement.offset[int(i)] = number_of(arguments.words[i]);
   }
-  if (!option.neutral.empty() && !is_neutral(option, arguments, count))
+  if (option.neutral.empty() || is_neutral(option, arguments, count)) return;
+  if (std::ranges::find(statement.unshown, option.name) == statement.unshown.end())
     statement.unshown.emplace_back(option.name);
 }
 

@@ -61,10 +61,11 @@ bool is_convex(const std::vector<glm::dvec2>& flat) {
 
 }  // namespace
 
-bool triangulate(std::span<const glm::vec3> polygon, std::vector<glm::uvec3>& triangles) {
+bool triangulate(std::span<const glm::vec3> polygon, std::vector<glm::uvec3>& triangles,
+                 ClippingBudget& budget) {
   if (polygon.size() > 3) {
     const std::vector<glm::dvec2> flat = project(polygon);
-    if (!is_convex(flat)) return EarClipper(flat, triangles).run();
+    if (!is_convex(flat)) return EarClipper(flat, triangles, budget).run();
   }
   for (std::uint32_t i = 1; i + 1 < polygon.size(); ++i) triangles.emplace_back(0u, i, i + 1);
   return true;

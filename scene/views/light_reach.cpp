@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include <glm/common.hpp>
@@ -51,6 +52,14 @@ float strength(const Light& light) {
   return brightness(light.color) * light.power;
 }
 
+// So many are kept while they are collected, however many triangles emit.
+constexpr std::size_t kMostKept = 4096;
+
+void keep_strongest(std::vector<Light>& lights) {
+  std::ranges::stable_sort(lights, std::greater(), strength);
+  if (lights.size() > kMostEmitters) lights.resize(kMostEmitters);
+}
+
 // The strongest of the triangles that emit.
 std::vector<Light> emitters(const Scene& scene) {
   std::vector<Light> result;
@@ -63,12 +72,11 @@ std::vector<Light> emitters(const Scene& scene) {
       for (std::uint32_t i = part.first_triangle; i < part.first_triangle + part.triangle_count; ++i) {
         const glm::uvec3& t = mesh.triangles[i];
         result.push_back(emitter(corner(t.x), corner(t.y), corner(t.z), emission));
+        if (result.size() == kMostKept) keep_strongest(result);
       }
     }
   }
-  std::stable_sort(result.begin(), result.end(),
-                   [](const Light& a, const Light& b) { return strength(a) > strength(b); });
-  if (result.size() > kMostEmitters) result.resize(kMostEmitters);
+  keep_strongest(result);
   return result;
 }
 

@@ -5,6 +5,8 @@
 
 #include "base/error.h"
 #include "base/files.h"
+#include "job_fixture.h"
+#include "pipeline/plan_file.h"
 
 namespace lightbench {
 namespace {
@@ -53,10 +55,15 @@ TEST_F(OwnFolder, MayHaveHiddenFiles) {
 
 TEST_F(OwnFolder, OfARunIsTakenWhateverElseIsThere) {
   write("notes.txt");
-  write("plan.json");
+  write_file_atomic(folder_.path() / "plan.json", plan_to_json(test::plan_of(test::concrete_job())));
   EXPECT_EQ(refusal(), "it was taken") << "its ledger was removed to begin anew";
   write("ledger.jsonl");
   EXPECT_EQ(refusal(), "it was taken");
+}
+
+TEST_F(OwnFolder, WithThePlanOfAnotherProgramIsRefused) {
+  write_file_atomic(folder_.path() / "plan.json", R"({"terraform_version": "1.5"})");
+  EXPECT_THAT(refusal(), HasSubstr("such as plan.json"));
 }
 
 TEST_F(OwnFolder, MayHaveWhatBenchWroteBeforeTheFirstRun) {

@@ -73,6 +73,17 @@ TEST_F(NamesOnLine, AreSeparatedByBlanks) {
   EXPECT_EQ(names(""), (Names{""}));
 }
 
+TEST_F(NamesOnLine, EndAtAComment) {
+  EXPECT_EQ(names("banana.mtl # materials"), (Names{"banana.mtl"}));
+}
+
+TEST_F(NamesOnLine, OfTooManyWordsAreOneName) {
+  std::string line;
+  for (int i = 0; i < 1000; ++i) line += "a ";
+  ASSERT_EQ(names(line).size(), 1u);
+  EXPECT_LE(names(line)[0].size(), 100u);
+}
+
 TEST_F(NamesOnLine, HaveTheBlanksOfFilesThatAreThere) {
   files_.write("my  own.mtl", "");
   files_.write("own.mtl", "");

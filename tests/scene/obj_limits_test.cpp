@@ -69,6 +69,14 @@ TEST(ObjLimits, NamesAreCounted) {
               HasSubstr("m.obj:4: the file has more than 3"));
 }
 
+TEST(ObjLimits, LibrariesAndSmoothingGroupsAreCounted) {
+  EXPECT_THAT(error_of("mtllib a\nmtllib b\n", {.libraries = 1}),
+              HasSubstr("m.obj:2: the file has more than 1 statements mtllib"));
+  EXPECT_EQ(error_of("s 1\ns 2\ns 1\ns 2\n", {.names = 2}), "no error");
+  EXPECT_THAT(error_of("s 1\ns 2\ns 3\n", {.names = 2}),
+              HasSubstr("m.obj:3: the file has more than 2 smoothing groups"));
+}
+
 TEST(ObjLimits, ANameHasAMostOfBytes) {
   for (const char* keyword : {"o", "g", "usemtl", "mtllib"}) {
     const std::string text = std::string(kSquareObj) + keyword + " " + std::string(10, 'x') + " \n";

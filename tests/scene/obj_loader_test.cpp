@@ -150,7 +150,39 @@ TEST(ObjLoader, TakesVertexColorsAboveOneAsBytesAndSaysSo) {
                                     {.vertex_colors = VertexColors::linear});
   EXPECT_EQ(loaded.model.meshes[0].colors[0], glm::vec3(1, 0, 0));
   EXPECT_FLOAT_EQ(loaded.model.meshes[0].colors[1].y, 0.2f);
-  EXPECT_THAT(loaded.problems, HasSubstr("warning m.obj: vertex colours above 1"));
+  EXPECT_THAT(loaded.problems, HasSubstr("warning m.obj: vertex colours above 2"));
+}
+
+TEST(ObjLoader, AVertexWithoutAColorIsWhiteAmongBytesToo) {
+  const auto loaded = load_obj_text("v 0 0 0\nv 1 0 0 0 255 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(loaded.model.meshes[0].colors, (std::vector<glm::vec3>{{1, 1, 1}, {0, 1, 0}, {1, 1, 1}}));
+}
+
+TEST(ObjLoader, AColorALittleAboveOneIsOne) {
+  const auto loaded = load_obj_text("v 0 0 0 1.0001 1 0\nv 1 0 0 0 1 0\nv 0 1 0 1 1 1\nf 1 2 3\n");
+  EXPECT_EQ(loaded.model.meshes[0].colors[0], glm::vec3(1, 1, 0));
+  EXPECT_EQ(loaded.model.meshes[0].colors[1], glm::vec3(0, 1, 0));
+}
+
+TEST(ObjLoader, AColorThatIsNotFiniteIsLeftOutAndItsVertexStays) {
+  const auto loaded = load_obj_text("v 0 0 0 nan nan nan\nv 1 0 0 1 1 -1.#IND\nv 0 1 0 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(triangle_count(loaded.model), 1u);
+  EXPECT_EQ(loaded.model.meshes[0].colors, (std::vector<glm::vec3>{{1, 1, 1}, {1, 1, 1}, {0, 1, 0}}));
+  EXPECT_THAT(loaded.problems, HasSubstr("warning m.obj:1: a vertex colour with 'nan' is left out"));
+}
+
+TEST(ObjLoader, AThirdTextureCoordinateDoesNotMatter) {
+  const auto loaded = load_obj_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.75 1.#QNAN\nf 1/1 2/1 3/1\n");
+  EXPECT_EQ(loaded.model.meshes[0].uvs[0], glm::vec2(0.25f, 0.75f));
+}
+
+TEST(ObjLoader, AFanOfManyVerticesInOnePlaceTakesNoLongerThanOthers) {
+  constexpr int kTriangles =
+      200'000;  // comparing each corner with all others in its place would take a minute
+  std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int i = 0; i < kTriangles; ++i)
+    text += "vt 0." + std::to_string(1'000'000 + i) + " 0\nf 1/-1 2/-1 3/-1\n";
+  EXPECT_EQ(load_obj_text(text).model.meshes.size(), 1u);
 }
 
 TEST(ObjLoader, ReadsTextureCoordinates) {
@@ -201,9 +233,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadObj{"OnlyVertices", "v 0 0 0\nv 1 0 0\nv 0 1 0\n", "error m.obj: has no faces"},
         BadObj{"OnlyDegenerateFaces", "v 0 0 0\nf 1 1 1\n", "error m.obj: all of its faces are without area"},
         BadObj{"NanVertex", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n",
-               "error m.obj:2: a vertex that is not finite"},
+               "error m.obj:2: a vertex has 'nan', which is no finite number"},
         BadObj{"InfiniteVertex", "v 0 0 0\nv 0 1e999 0\nv 0 1 0\nf 1 2 3\n",
-               "error m.obj:2: a vertex that is not"},
+               "error m.obj:2: a vertex has '1e999', which is no finite number"},
         BadObj{"NotANumber", "v 0 0 0\nv 1 x 0\nv 0 1 0\nf 1 2 3\n", "error m.obj:2: 'x' is not a number"},
         BadObj{"DecimalCommas", "v 0,5 0 0\n", "error m.obj:1: '0,5' is not a number"},
         BadObj{"ShortVertex", "v 0 0\n", "error m.obj:1: 2 numbers where 3 are needed"},

@@ -60,8 +60,14 @@ TEST(ClassifyNumber, TellsWhatIsNotFinite) {
 }
 
 TEST(ClassifyNumber, RejectsWhatIsNoNumber) {
-  for (const char* word : {"", "-", ".", "1,5", "1.5f", "0x10", "1e", "1e+", "abc", "--1", "1.2.3"})
+  for (const char* word : {"", "-", ".", "1,5", "1.5f", "0x10", "1e", "1e+", "abc", "--1", "1.2.3",
+                           "banana.png", "finance", "info", "nano", "inferno.jpg", "2nan", "x1.#IND"})
     EXPECT_EQ(classify_number(word), NumberKind::malformed) << word;
+}
+
+TEST(NumberOf, IsNothingWhereANumberIsTooSmall) {
+  EXPECT_EQ(number_of("0." + std::string(400, '0') + "1"), 0);
+  EXPECT_EQ(number_of("1e-400"), 0);
 }
 
 RC_GTEST_PROP(ClassifyNumber, AcceptsWhateverIsPrinted, (double x)) {

@@ -25,6 +25,14 @@ TEST(TextureOptions, TakeOneTwoOrThreeNumbers) {
     EXPECT_EQ(read(text).name, "t.png") << text;
 }
 
+TEST(TextureOptions, StopAtNamesThatHoldWordsForWhatIsNoNumber) {
+  for (const char* name : {"banana.png", "C:\\tex\\finance.png", "info"}) {
+    const auto statement = read(std::string("-s 2 2 ") + name);
+    EXPECT_EQ(statement.name, name);
+    EXPECT_EQ(statement.problem, "");
+  }
+}
+
 TEST(TextureOptions, OfAllKindsMayStandInARow) {
   const auto statement = read(
       "-blendu off -blendv on -boost 2 -cc on -clamp off -imfchan m -mm 0 1 -texres 512 -bm 1 -t 0 0 0 "

@@ -14,7 +14,8 @@ using Polygon = std::vector<glm::vec3>;
 
 std::vector<glm::uvec3> cut(const Polygon& polygon) {
   std::vector<glm::uvec3> triangles;
-  triangulate(polygon, triangles);
+  ClippingBudget budget;
+  triangulate(polygon, triangles, budget);
   return triangles;
 }
 
@@ -152,11 +153,20 @@ TEST(Triangulate, CoversPolygonsWithRepeatedAndCollinearCorners) {
 
 TEST(Triangulate, TellsWhereEdgesCross) {
   std::vector<glm::uvec3> triangles;
-  EXPECT_TRUE(triangulate(Polygon{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5f, 1, 0}}, triangles));
+  ClippingBudget budget;
+  EXPECT_TRUE(triangulate(Polygon{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5f, 1, 0}}, triangles, budget));
   Polygon pentagram;
   for (int i = 0; i < 5; ++i)
     pentagram.emplace_back(std::cos(2.513274f * float(i)), std::sin(2.513274f * float(i)), 0);
-  EXPECT_FALSE(triangulate(pentagram, triangles));
+  EXPECT_FALSE(triangulate(pentagram, triangles, budget));
+}
+
+TEST(Triangulate, WithoutABudgetGivesAFanAndSaysSo) {
+  const Polygon arrow{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {0.5f, 1, 0}};
+  std::vector<glm::uvec3> triangles;
+  ClippingBudget budget{0, 0};
+  EXPECT_FALSE(triangulate(arrow, triangles, budget));
+  EXPECT_EQ(triangles.size(), 2u);
 }
 
 // A comb of many teeth: clipping its ears one by one, each tested against all corners, would take minutes.
