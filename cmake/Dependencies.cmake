@@ -5,6 +5,7 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(embree 3 REQUIRED)
+find_path(TINYOBJLOADER_INCLUDE_DIR tiny_obj_loader.h REQUIRED) # the header alone, compiled for doubles
 find_package(Boost REQUIRED COMPONENTS filesystem)
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
