@@ -6,7 +6,7 @@
 namespace lightbench {
 namespace {
 
-// Of what follows the 14 bytes of the file header.
+// These are offsets in the header that follows the 14 bytes of the file header.
 constexpr std::size_t kFileHeaderBytes = 14;
 constexpr std::size_t kBitsPlace = 14;
 constexpr std::size_t kCompressionPlace = 16;

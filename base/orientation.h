@@ -42,8 +42,8 @@ BasicImage<Component> upright(BasicImage<Component> stored, Orientation orientat
 /// sense.
 Orientation exif_orientation(std::string_view exif);
 
-/// That of a WebP file, whose Exif block OpenImageIO does not read. Throws Error where the file cannot be
-/// read.
+/// Returns the orientation of a WebP file, whose Exif block OpenImageIO does not read. Throws Error where the
+/// file cannot be read.
 Orientation read_webp_orientation(const std::filesystem::path& file);
 
 }  // namespace lightbench

@@ -26,7 +26,7 @@ class PictureFile {
   /// `layer` as in find_picture. Throws Error with the path.
   PictureFile(const std::filesystem::path& file, const std::string& layer, Channels channels);
 
-  /// Of the picture as it is looked at: an OpenEXR file's display window, turned as the file says.
+  /// The size of the picture as it is looked at: an OpenEXR file's display window, turned as the file says.
   int width() const;
   int height() const;
   int channels() const { return int(picture_.indices.size()); }

@@ -82,7 +82,8 @@ class Execution {
     return needed;
   }
 
-  /// Of what is not asked for, only that is told which keeps from being done what is: why it failed before.
+  /// A task that is not asked for is skipped. Where one that is asked for needs it, its failure in an earlier
+  /// run is told, since that is why the other cannot be done.
   void leave_out(std::size_t i, bool is_needed) {
     const auto reason = is_needed ? cache_.last_failure(plan_.tasks[i]) : std::nullopt;
     if (reason)

@@ -26,7 +26,7 @@ class TimeLeft {
   /// A task has ended; `measured` are its own seconds, or 0 where it does not say.
   void task_ended(TaskKind kind, double expected, double measured);
 
-  /// Of one task of that kind, in times of what is expected.
+  /// Returns how long a task of that kind takes, as a multiple of what is expected.
   double pace(TaskKind kind) const;
   /// Returns seconds, with `places` workers at a time.
   double seconds(const Schedule& schedule, int places, const Spent& spent) const;

@@ -23,7 +23,7 @@ struct CompareOptions {
   double heat_scale = 64;              ///< of 255: the error at the end of the heat map's bar
 };
 
-/// Of two pictures; one without alpha is opaque.
+/// How two pictures differ in alpha; one without alpha is opaque.
 struct AlphaDifference {
   std::size_t pixels = 0;  ///< that have another alpha
   int largest = 0;         ///< of 255

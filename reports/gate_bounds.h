@@ -8,7 +8,8 @@
 /// What a gate's bounds say of a number, and how that is told.
 namespace lightbench {
 
-/// By how much a value is outside the bounds; negative inside. What is no number is farthest outside.
+/// Returns by how much a value is outside the bounds; it is negative inside. What is no number is farthest
+/// outside.
 double excess(const Gate& gate, double value);
 bool within(const Gate& gate, double value);
 

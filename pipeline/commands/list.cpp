@@ -82,7 +82,7 @@ void list_params() {
   for (const auto& kind : reference_kinds()) list_params_of(kind);
 }
 
-/// Those of the technique and of the reference that have the name: there may be both.
+/// Prints the parameters of the technique and of the reference that have the name: there may be both.
 void list_params_named(const std::string& name) {
   std::vector<std::string> names = row_names(techniques());
   for (const auto& kind : row_names(reference_kinds()))
