@@ -189,7 +189,8 @@ TEST_F(GlRun, PicturesOfAnotherEngineAreScored) {
   EXPECT_EQ(run_job().exit_code, 0);
   const auto score = Json::parse(read_file(path("out/views/box/front/mine~truth.score.json")));
   EXPECT_EQ(score.at("metrics").at("mean_error"), 0.0);
-  for (const Json& image : report().at("images"))
+  const Json stored = report();  // which the loop looks into
+  for (const Json& image : stored.at("images"))
     if (image.at("source") == "mine") EXPECT_EQ(image.at("seconds"), 0) << "nobody knows what it cost";
   write_png(path("mine/box-side.png"), Image8(32, 24, 3, 120));
   EXPECT_THAT(run_job().out, HasSubstr("snapshot:box/side/mine done"));
