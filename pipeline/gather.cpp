@@ -258,6 +258,11 @@ class Gatherer {
   RunReport report_;
 };
 
+ExitCode exit_code_of_gates(const RunReport& report, const RunCounts& counts) {
+  if (counts.gates_not_met > 0) return ExitCode::gate_failed;
+  return counts.gates_not_judged > 0 && !report.partial ? ExitCode::not_judged : ExitCode::ok;
+}
+
 }  // namespace
 
 RunReport gather_report(const Plan& plan, const PlanFacts& facts, const std::vector<TaskOutcome>& outcomes,
@@ -267,15 +272,6 @@ RunReport gather_report(const Plan& plan, const PlanFacts& facts, const std::vec
   report.gates = evaluate_gates(plan.job.gates, report);
   return report;
 }
-
-namespace {
-
-ExitCode exit_code_of_gates(const RunReport& report, const RunCounts& counts) {
-  if (counts.gates_not_met > 0) return ExitCode::gate_failed;
-  return counts.gates_not_judged > 0 && !report.partial ? ExitCode::not_judged : ExitCode::ok;
-}
-
-}  // namespace
 
 ExitCode exit_code_of(const RunReport& report, const std::vector<TaskOutcome>& outcomes,
                       const std::vector<bool>& selected) {

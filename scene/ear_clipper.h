@@ -19,7 +19,8 @@ double turn_of(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c);
 /// How much work a file's polygons may make together.
 struct ClippingBudget {
   std::size_t steps = 2'000'000'000;  ///< looks at corners, for which a polygon takes some ten seconds
-  /// Those where no ear is left: most such polygons cross themselves, and have no right triangles.
+  /// The steps that are taken where no ear is left: most such polygons cross themselves, and have no right
+  /// triangles.
   std::size_t last_resort_steps = 100'000'000;
 };
 

@@ -83,7 +83,7 @@ class ObjLoader {
         at_line(file_, use.line));
   }
 
-  // Of the last material. A vertex has one texture coordinate, so that both its textures lie alike.
+  // Returns how the textures of the last material lie: both alike, since a vertex has one texture coordinate.
   TexturePlacement placement(const MtlMaterial* m) {
     const Material& material = model_.materials.back();
     if (!m) return {};

@@ -21,14 +21,15 @@ class ObjNames {
   /// A name of nothing means no material.
   void use_material(std::string_view name, std::size_t line);
 
-  /// Of a face that stands here, as ObjFace has them. Objects and groups beyond kMostMeshes are one.
+  /// Return what a face that stands here has, as ObjFace holds it. Objects and groups beyond kMostMeshes are
+  /// one.
   std::int32_t shape();
   std::int32_t material();
   std::int32_t smoothing() const { return smoothing_; }
   std::size_t smoothing_groups() const { return smoothing_groups_.names().size(); }
 
   std::vector<std::string> shapes() const { return {shapes_.names().begin(), shapes_.names().end()}; }
-  /// Those that faces have, with the line of the statement.
+  /// Returns the materials that faces have, each with the line of its statement.
   const std::vector<TextLine>& materials() const { return used_materials_; }
 
  private:

@@ -26,7 +26,7 @@
 namespace lightbench {
 namespace {
 
-// Files write negative colours never, so that this one stands for none.
+// This stands for no colour: no file has one so far below zero.
 const glm::vec3 kNoColor(-1e30f);
 // Colours of 0 to 1 may be a little above; the smallest white of 0 to 255 is far above.
 constexpr float kLargestRoundedColor = 2;
@@ -272,7 +272,7 @@ class ObjReader {
     if (bytes) problems_.warning("vertex colours above 2: all are taken as 0 to 255", file_.string());
     for (glm::vec3& c : data_.colors)
       c = c == kNoColor ? glm::vec3(1) : glm::clamp(bytes ? c / 255.0f : c, glm::vec3(0), glm::vec3(1));
-    // Those without one are white.
+    // The vertices behind the last colour have none either, and are white.
     if (!data_.colors.empty()) data_.colors.resize(data_.positions.size(), glm::vec3(1.0f));
   }
 

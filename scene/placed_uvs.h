@@ -18,7 +18,8 @@ class PlacedUvs {
   /// `placements` are of ObjData::materials; those that are missing change nothing.
   PlacedUvs(const ObjData& data, const std::vector<TexturePlacement>& placements);
 
-  /// Of a corner of a face (both indices); zero where the file gives none.
+  /// Returns the coordinates of a corner of a face (both are indices); they are zero where the file gives
+  /// none.
   glm::vec2 at(std::uint32_t corner, std::uint32_t face) const;
 
  private:

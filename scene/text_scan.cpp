@@ -20,6 +20,15 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
 }
 
+// nan, -nan(ind), inf, 1.#IND, -1.#QNAN, 1.#J (of "%.2f"): what C libraries print for what is not a number.
+bool names_non_finite(std::string_view word) {
+  if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+  const std::string name = lower_case(word);
+  constexpr std::array<std::string_view, 5> kNames{"nan", "nanq", "nans", "inf", "infinity"};
+  if (std::ranges::find(kNames, name) != kNames.end() || name.starts_with("nan(")) return true;
+  return name.find_first_not_of("0123456789") == name.find(".#") && name.find(".#") != name.npos;
+}
+
 }  // namespace
 
 std::optional<std::string_view> LineScanner::next() {
@@ -61,19 +70,6 @@ std::string lower_case(std::string_view text) {
   for (char& c : lowered) c = lower(c);
   return lowered;
 }
-
-namespace {
-
-// nan, -nan(ind), inf, 1.#IND, -1.#QNAN, 1.#J (of "%.2f"): what C libraries print for what is not a number.
-bool names_non_finite(std::string_view word) {
-  if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
-  const std::string name = lower_case(word);
-  constexpr std::array<std::string_view, 5> kNames{"nan", "nanq", "nans", "inf", "infinity"};
-  if (std::ranges::find(kNames, name) != kNames.end() || name.starts_with("nan(")) return true;
-  return name.find_first_not_of("0123456789") == name.find(".#") && name.find(".#") != name.npos;
-}
-
-}  // namespace
 
 NumberKind classify_number(std::string_view word) {
   std::size_t i = 0;

@@ -25,7 +25,7 @@ constexpr double kNear = 0.25;              // of the place's size
 constexpr double kNearestViewMedian = 0.5;  // of the place's size; less: a wall in the face
 constexpr double kFarthestNearTenth = 1.5;  // of the scene's diagonal
 
-// Of a picture with less in the light than this, quality grows with the light.
+// While less of a picture than this is in the light, its quality grows with the light.
 constexpr double kWellLit = 0.6;
 
 // Of the rays of a view, one in so many asks for light. Rows have 16, so that columns change from row to row.

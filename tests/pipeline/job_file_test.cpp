@@ -11,19 +11,11 @@
 namespace lightbench {
 namespace {
 
+using test::error_of;
 using test::kJobText;
 using test::replaced;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-std::string error_of(const std::string& text) {
-  try {
-    parse_job(text, "/jobs/job.json");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(JobFile, SaysWhatStandsInIt) {
   const Job job = parse_job(kJobText, "/jobs/job.json");

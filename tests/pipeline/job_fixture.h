@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/error.h"
 #include "pipeline/concrete.h"
 #include "pipeline/job_file.h"
 #include "pipeline/plan.h"
@@ -21,6 +22,16 @@ inline const char* const kJobText = R"({
   "references": [{"name": "truth", "kind": "povray"}],
   "metrics": ["mean_error", "gain"]
 })";
+
+/// What reading the job says, or "no error".
+inline std::string error_of(const std::string& text) {
+  try {
+    parse_job(text, "/jobs/job.json");
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
 
 inline Job concrete_job(const std::string& text = kJobText) {
   return make_concrete(parse_job(text, "/jobs/job.json"), "/out", nullptr);

@@ -10,18 +10,10 @@
 namespace lightbench {
 namespace {
 
+using test::error_of;
 using test::kJobText;
 using test::replaced;
 using ::testing::HasSubstr;
-
-std::string error_of(const std::string& text) {
-  try {
-    parse_job(text, "/jobs/job.json");
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 std::size_t lines_of(const std::string& text) {
   return std::size_t(std::ranges::count(text, '\n'));
