@@ -1,11 +1,13 @@
 #include "renderer/caustics/caustics_maps.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <glad/gl.h>
 
 #include "base/stopwatch.h"
 #include "renderer/caustics/draw_caustics.h"
+#include "renderer/caustics/occluder_map.h"
 #include "renderer/caustics/water_shade.h"
 #include "renderer/frame_context.h"
 #include "renderer/gpu_scene.h"
@@ -51,17 +53,27 @@ CausticsMap CausticsMaps::draw(std::size_t receiver, const Light& light, const P
   result.lit = rays.lit;
   result.drawn = rays.corners.size();
   result.sideways = rays.sideways;
+  const auto draw_places = [&] {
+    return draw_receiver_map(frame, result.box, receiver, options.map_size, options.color);
+  };
+  const auto draw_occluders = [&](const ReceiverMap& map) {
+    std::optional<OccluderMap> occluders;
+    if (options.layers > 1) occluders.emplace(frame, map, rays.most_step, options.hit.steps);
+    return occluders;
+  };
   // What the map before this one took is freed by what is drawn next.
-  draw_receiver_map(frame, result.box, receiver, options.map_size, options.color);
+  draw_occluders(draw_places());
   forget_most_texture_memory();
   const std::size_t before = texture_memory().now;
   glFinish();
   Stopwatch watch;
-  const ReceiverMap map = draw_receiver_map(frame, result.box, receiver, options.map_size, options.color);
+  const ReceiverMap map = draw_places();
+  const std::optional<OccluderMap> occluders = draw_occluders(map);
   glFinish();
   result.position_seconds = watch.seconds();
   watch = Stopwatch();
-  const Volumes volumes(rays, map, scene.water->absorption, options.least_area, shade ? &*shade : nullptr);
+  const Volumes volumes(rays, map, scene.water->absorption, options.least_area, shade ? &*shade : nullptr,
+                        occluders ? &*occluders : nullptr);
   const GlTexture caustics = draw_caustics(frame, map, volumes, options);
   glFinish();
   result.seconds = watch.seconds();

@@ -34,7 +34,14 @@ std::vector<ParamSpec> caustics_params() {
                    "volumetric: what is drawn for each plane: whole: all; clusters: clusters of at most 1024 "
                    "triangles "
                    "that it may hold"),
-      integer_param("steps", 16, 1, 1024, "hit: along a ray, before ten bisections"),
+      integer_param(
+          "layers", 2, 1, 2,
+          "surfaces behind one another that the position map holds: with 2, each ray is followed back "
+          "through it, and what the ray passes through beside the axis stops it; with 1, only what "
+          "lies along the axis stops light"),
+      integer_param(
+          "steps", 16, 1, 1024,
+          "along a ray through the position map: hit, before ten bisections; and where layers is 2"),
       number_param(
           "least_area", 1.0 / 256, 0, 16,
           "of the image of a triangle of the water, in texels: where light folds it goes to 0, and its "
@@ -59,6 +66,7 @@ std::vector<ParamSpec> caustics_params() {
 CausticsOptions caustics_options(const ParamValues& params) {
   CausticsOptions options;
   options.map_size = params.integer("map_size");
+  options.layers = params.integer("layers");
   options.level_of_detail = params.boolean("level_of_detail");
   options.surface = params.boolean("surface");
   options.fresnel = params.boolean("fresnel");

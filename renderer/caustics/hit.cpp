@@ -64,6 +64,7 @@ void draw_landings(FrameContext& frame, const Volumes& volumes, const Buffer& hi
   program.set("tolerance", 2 / float(options.slices));
   volumes.set_uniforms(program);
   hits.bind_storage(1);
+  volumes.places.bind_storage(6);
   glDrawArrays(GL_TRIANGLES, 0, 3 * volumes.triangle_count);
 }
 

@@ -5,9 +5,13 @@
 
 namespace lightbench {
 
-Buffer map_blocks(FrameContext& frame, const ReceiverMap& map, int slices) {
+int blocks_along(const ReceiverMap& map) {
   constexpr int kBlock = 8;  // of blocks.glsl
-  const int along = (map.places.width() + kBlock - 1) / kBlock;
+  return (map.places.width() + kBlock - 1) / kBlock;
+}
+
+Buffer map_blocks(FrameContext& frame, const ReceiverMap& map, int slices) {
+  const int along = blocks_along(map);
   Buffer blocks(nullptr, std::size_t(along) * std::size_t(along) * sizeof(glm::ivec2));
   const Program& program = frame.compute_program(kBlocks);
   program.set("slices", float(slices));

@@ -67,6 +67,7 @@ MapRays map_rays(const Mesh& water, const WaterLight& light, const ReceiverBox& 
     const MapRay ray = map_ray(box, glm::dvec3(water.positions[i]), glm::dvec3(light.directions[i]));
     rays.push_back(ray);
     result.places.emplace_back(ray.place, ray.place_step);
+    result.most_step = glm::max(result.most_step, glm::abs(glm::vec2(ray.place_step)));
     result.ways.emplace_back(ray.way, ray.way_step);
   }
   const double map_area = box.size.x * box.size.z;

@@ -53,8 +53,19 @@ ReceiverPrograms receiver_programs(FrameContext& frame, const ReceiverMap& map, 
     program->set("depth_in_box", depth_row);
     program->set("water_top", water_top);
     program->set("receiver", int(map.receiver));
+    program->set("map_size", float(map.places.width()));
   }
   return {solid, cutout};
+}
+
+constexpr unsigned kPlacesUnit = 7;  // of receiver.frag.glsl, after those of materials
+
+/// What stands over the box, too.
+void draw_whole_box(FrameContext& frame, const ReceiverMap& map, const Program& solid,
+                    const Program& cutout) {
+  const double over = reach_over(map.box, frame.gpu_scene().bounds());
+  frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(map.box, -over, 1), map.box.center,
+                                  FrustumCulling::on);
 }
 
 /// The box's depth is written as it is. Triangles that reach beyond what is drawn are not cut there, so that
@@ -77,7 +88,7 @@ class MapState {
 ReceiverMap draw_receiver_map(FrameContext& frame, const ReceiverBox& box, std::size_t receiver, int size,
                               ReceiverColor color) {
   const bool colored = color == ReceiverColor::map;
-  ReceiverMap map{box, receiver, GlTexture(TexelFormat::rg32f, size, size), {}};
+  ReceiverMap map{box, receiver, GlTexture(TexelFormat::rgba32f, size, size), {}};
   if (colored) map.diffuse = GlTexture(TexelFormat::rgba16f, size, size);
   const GlTexture depth(TexelFormat::depth32f, size, size);
   const Framebuffer target =
@@ -89,10 +100,23 @@ ReceiverMap draw_receiver_map(FrameContext& frame, const ReceiverBox& box, std::
   const MapState state;
   const auto [solid, cutout] =
       receiver_programs(frame, map, colored ? ShaderDefines{"WITH_DIFFUSE"} : ShaderDefines{});
-  const double over = reach_over(box, frame.gpu_scene().bounds());
-  frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(box, -over, 1), box.center,
-                                  FrustumCulling::on);
+  draw_whole_box(frame, map, solid, cutout);
   return map;
+}
+
+GlTexture draw_exits(FrameContext& frame, const ReceiverMap& map) {
+  const int size = map.places.width();
+  GlTexture exits(TexelFormat::r32f, size, size);
+  const GlTexture depth(TexelFormat::depth32f, size, size);
+  const Framebuffer target({&exits}, &depth);
+  target.bind();
+  target.clear_color(0, 0, 0, 0, 0);
+  target.clear_depth(1);
+  const MapState state;
+  const auto [solid, cutout] = receiver_programs(frame, map, {"EXITS"});
+  map.places.bind(kPlacesUnit);
+  draw_whole_box(frame, map, solid, cutout);
+  return exits;
 }
 
 void draw_slice(FrameContext& frame, const ReceiverMap& map, const Slice& slice, const Framebuffer& target,

@@ -22,8 +22,10 @@ enum class ReceiverColor {
 struct ReceiverMap {
   ReceiverBox box;
   std::size_t receiver = 0;  ///< which entity
-  /// RG32F: the depth in the box of the first surface below the water, 0 to 1 (less for what stands over the
-  /// box, 2 where there is none), and 1 where that is the receiver's, else 0. So others shade it.
+  /// RGBA32F: the depth in the box of the first surface below the water, 0 to 1 (less for what stands over
+  /// the box, 2 where there is none); 1 where that is the receiver's, else 0, so that others shade it, and 2
+  /// more where it is a back face; by how much the plane of its triangle gets deeper along each side of the
+  /// map.
   GlTexture places;
   GlTexture diffuse;  ///< RGBA16F: its linear colour, if that is asked for
 };
@@ -42,6 +44,11 @@ struct Slice {
 /// that miss it.
 void draw_slice(FrameContext& frame, const ReceiverMap& map, const Slice& slice, const Framebuffer& target,
                 FrustumCulling culling);
+
+/// R32F, as large as the map: the depth at which what the map shows ends, if the next surface behind it has
+/// its other side towards the light, as those of solids have; else, as for a sheet, nothing above its own
+/// depth.
+GlTexture draw_exits(FrameContext& frame, const ReceiverMap& map);
 
 /// A depth buffer of the plane that each texel belongs to, of `slices` + 1, as plane_depth of
 /// techniques/caustics/planes.glsl has it; 0 where the receiver is not seen.

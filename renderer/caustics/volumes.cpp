@@ -16,7 +16,7 @@ void set_adding_state() {
 }
 
 Volumes::Volumes(const MapRays& rays, const ReceiverMap& map, const glm::vec3& absorption_,
-                 double least_texels, const GlTexture* shade_)
+                 double least_texels, const GlTexture* shade_, const OccluderMap* occluders_)
     : ray_count(int(rays.places.size())),
       triangle_count(int(rays.corners.size())),
       places(buffer_of(rays.places)),
@@ -26,7 +26,8 @@ Volumes::Volumes(const MapRays& rays, const ReceiverMap& map, const glm::vec3& a
       triangles(buffer_of(rays.triangles)),
       absorption(absorption_),
       map_area(float(map.box.size.x * map.box.size.z)),
-      shade(shade_) {
+      shade(shade_),
+      occluders(occluders_) {
   least_area = float(least_texels) * map_area / (float(map.places.width()) * float(map.places.height()));
   vertices.attribute(0, places, 4);
   vertices.attribute(1, ways, 2);
@@ -36,11 +37,13 @@ Volumes::Volumes(const MapRays& rays, const ReceiverMap& map, const glm::vec3& a
 
 ShaderDefines Volumes::defines(ShaderDefines more) const {
   if (shade) more.emplace_back("SHADED");
+  if (occluders) more.emplace_back("OCCLUDERS");
   return more;
 }
 
 void Volumes::set_uniforms(const Program& program) const {
   if (shade) shade->bind(1);
+  if (occluders) occluders->set_uniforms(program);
   program.set("absorption", absorption);
   program.set("map_area", map_area);
   program.set("least_area", least_area);

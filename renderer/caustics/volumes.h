@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "renderer/caustics/map_rays.h"
+#include "renderer/caustics/occluder_map.h"
 #include "renderer/caustics/receiver_map.h"
 #include "renderer/gl_framebuffer.h"
 #include "renderer/gl_program.h"
@@ -15,7 +16,7 @@ struct Volumes {
   /// `least_area` of a triangle's image, in texels of the map: at folds it is 0, and flux over it without
   /// bound. `shade`: of draw_water_shade, null where nothing is above the water; it must outlive this.
   Volumes(const MapRays& rays, const ReceiverMap& map, const glm::vec3& absorption, double least_area,
-          const GlTexture* shade = nullptr);
+          const GlTexture* shade = nullptr, const OccluderMap* occluders = nullptr);
 
   /// Adds what programs with techniques/caustics/flux.glsl must be compiled with.
   ShaderDefines defines(ShaderDefines more = {}) const;
@@ -32,6 +33,7 @@ struct Volumes {
   float map_area = 0;    ///< in the world
   float least_area = 0;  ///< in the world
   const GlTexture* shade = nullptr;
+  const OccluderMap* occluders = nullptr;
 };
 
 /// Whatever is drawn is added to the target, everywhere.

@@ -8,6 +8,7 @@
 #include "renderer/caustics/caustics_shaders.h"
 #include "renderer/caustics/draw_caustics.h"
 #include "renderer/caustics/map_rays.h"
+#include "renderer/caustics/occluder_map.h"
 #include "renderer/caustics/receiver_map.h"
 #include "renderer/caustics/water_shade.h"
 #include "renderer/caustics/water_view.h"
@@ -83,10 +84,14 @@ void light(FrameContext& frame, const CausticsOptions& options, const Mesh& mesh
         box = receiver_box(scene, receiver, light);
         rays = map_rays(mesh, through, box, options.culling);
       });
-      frame.pass("position map",
-                 [&] { map = draw_receiver_map(frame, box, receiver, options.map_size, options.color); });
+      std::optional<OccluderMap> occluders;
+      frame.pass("position map", [&] {
+        map = draw_receiver_map(frame, box, receiver, options.map_size, options.color);
+        if (options.layers > 1) occluders.emplace(frame, map, rays.most_step, options.hit.steps);
+      });
       frame.pass("caustics", [&] {
-        const Volumes volumes(rays, map, water.absorption, options.least_area, shade ? &*shade : nullptr);
+        const Volumes volumes(rays, map, water.absorption, options.least_area, shade ? &*shade : nullptr,
+                              occluders ? &*occluders : nullptr);
         caustics = draw_caustics(frame, map, volumes, detailed(frame, receiver, options));
       });
       frame.pass("cast", [&] {

@@ -17,8 +17,8 @@ void main() {
   vec2 depths = vec2(2.0, -1.0);
   for (int y = first.y; y < end.y; ++y)
     for (int x = first.x; x < end.x; ++x) {
-      vec2 place = texelFetch(places, ivec2(x, y), 0).xy;
-      if (place.y == 1.0) depths = vec2(min(depths.x, place.x), max(depths.y, place.x));
+      vec4 place = texelFetch(places, ivec2(x, y), 0);
+      if (shows_receiver(place)) depths = vec2(min(depths.x, place.x), max(depths.y, place.x));
     }
   blocks[number] = depths.x > depths.y ? kNoPlanes : ivec2(nearest_plane(depths.x, slices), nearest_plane(depths.y, slices));
 }

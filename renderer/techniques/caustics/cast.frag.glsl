@@ -1,5 +1,6 @@
 // The light of a caustics map on its receiver, added to the picture (the water caustics thesis, 4.6 and 4.7.1).
 #include "shaders/gbuffer.glsl"
+#include "techniques/caustics/places.glsl"
 
 layout(binding = 6) uniform sampler2D entities;
 layout(binding = 7) uniform sampler2D places;
@@ -33,9 +34,9 @@ vec3 caustics_at(vec3 place, vec2 slope) {
     vec2 corner = vec2(i & 1, i >> 1);
     ivec2 at = ivec2(first + corner);
     if (any(lessThan(at, ivec2(0))) || any(greaterThanEqual(at, ivec2(size)))) continue;
-    vec2 shown = texelFetch(places, at, 0).xy;
+    vec4 shown = texelFetch(places, at, 0);
     float expected = place.z + dot((first + corner - texel) * step, slope);
-    if (shown.y != 1.0 || abs(shown.x - expected) > bias) continue;
+    if (!shows_receiver(shown) || abs(shown.x - expected) > bias) continue;
     vec2 near = mix(1.0 - part, part, corner);
     float weight = near.x * near.y;
     sum += weight * texelFetch(caustics, at, 0).rgb;

@@ -6,9 +6,10 @@ uniform float least_area;
 layout(binding = 1) uniform sampler2D open_water;  // of draw_water_shade
 #endif
 
-// a: 1 where the area was raised to the least. `spot`: where the light came through the water's level.
-vec4 flux_of(vec3 flux, float area, float way, vec2 spot) {
-  vec4 landed = vec4(flux * exp(-absorption * way) / max(area, least_area), area < least_area ? 1.0 : 0.0);
+// `area`: of the image across the axis. `tilt`: tilt_factor of places.glsl. a: 1 where the area was raised to the least.
+// `spot`: where the light came through the water's level.
+vec4 flux_of(vec3 flux, float area, float tilt, float way, vec2 spot) {
+  vec4 landed = vec4(flux * exp(-absorption * way) * tilt / max(area, least_area), area < least_area ? 1.0 : 0.0);
 #ifdef SHADED
   landed.rgb *= textureLod(open_water, spot, 0.0).r;
 #endif

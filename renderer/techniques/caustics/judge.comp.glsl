@@ -13,7 +13,7 @@ uniform int triangle_count;
 
 // Whether the receiver lies at the mean of landings.
 bool lies_on_receiver(vec3 at) {
-  return abs(behind(vec4(at.xy, 0.0, 0.0), at.z)) <= tolerance && shows_receiver(at.xy);
+  return abs(behind(vec4(at.xy, 0.0, 0.0), at.z)) <= tolerance && receiver_at(at.xy);
 }
 
 bool lands(vec4 p, vec4 q, vec4 r) {

@@ -1,4 +1,6 @@
 // Rays of the water that meet the surfaces of a position map.
+#include "techniques/caustics/places.glsl"
+
 layout(binding = 0) uniform sampler2D places;
 uniform int steps;
 uniform float tolerance;  // in depth of the box: by how much a ray may pass the surface that it hits
@@ -11,20 +13,21 @@ float shown_depth(vec2 place) {
   vec2 part = fract(texel);
   ivec2 low = max(ivec2(floor(texel)), ivec2(0));
   ivec2 high = min(ivec2(floor(texel)) + 1, size - 1);
-  vec2 a = texelFetch(places, low, 0).xy;
-  vec2 b = texelFetch(places, ivec2(high.x, low.y), 0).xy;
-  vec2 c = texelFetch(places, ivec2(low.x, high.y), 0).xy;
-  vec2 d = texelFetch(places, high, 0).xy;
-  if (a.y + b.y + c.y + d.y == 4.0) return mix(mix(a.x, b.x, part.x), mix(c.x, d.x, part.x), part.y);
+  vec4 a = texelFetch(places, low, 0);
+  vec4 b = texelFetch(places, ivec2(high.x, low.y), 0);
+  vec4 c = texelFetch(places, ivec2(low.x, high.y), 0);
+  vec4 d = texelFetch(places, high, 0);
+  if (shows_receiver(a) && shows_receiver(b) && shows_receiver(c) && shows_receiver(d))
+    return mix(mix(a.x, b.x, part.x), mix(c.x, d.x, part.x), part.y);
   return part.y < 0.5 ? (part.x < 0.5 ? a.x : b.x) : (part.x < 0.5 ? c.x : d.x);
 }
 
 // By how much the ray is behind what the map shows where it is at that depth.
 float behind(vec4 ray, float depth) { return depth - shown_depth(ray.xy + depth * ray.zw); }
 
-bool shows_receiver(vec2 place) {
+bool receiver_at(vec2 place) {
   vec2 size = vec2(textureSize(places, 0));
-  return texelFetch(places, clamp(ivec2(floor(place * size)), ivec2(0), ivec2(size) - 1), 0).y == 1.0;
+  return shows_receiver(texelFetch(places, clamp(ivec2(floor(place * size)), ivec2(0), ivec2(size) - 1), 0));
 }
 
 // The depth at which a ray (its place in the map at depth 0, and what each unit of depth adds) lands on the receiver;
@@ -64,6 +67,6 @@ float landing(vec4 ray) {
     else
       over = middle;
   }
-  if (behind(ray, under) > tolerance || !shows_receiver(ray.xy + under * ray.zw)) return -1.0;
+  if (behind(ray, under) > tolerance || !receiver_at(ray.xy + under * ray.zw)) return -1.0;
   return under;
 }

@@ -1,3 +1,5 @@
+#include "techniques/caustics/places.glsl"
+
 // The planes across a receiver's box: 0 on the side of the light to `slices` on the far one.
 
 int nearest_plane(float depth, float slices) {
@@ -7,8 +9,8 @@ int nearest_plane(float depth, float slices) {
 
 // The one that a texel of the position map belongs to: each surface point belongs to exactly one. -1: the receiver is
 // not what the light meets there.
-int plane_of(vec2 place, float slices) {
-  return place.y == 1.0 ? nearest_plane(place.x, slices) : -1;
+int plane_of(vec4 place, float slices) {
+  return shows_receiver(place) ? nearest_plane(place.x, slices) : -1;
 }
 
 // Its value in depth buffers: exact for all that there can be, 0 for none.

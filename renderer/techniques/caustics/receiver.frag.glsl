@@ -1,5 +1,6 @@
-// The position and the diffuse map of a receiver: of all that stands in the water, what the light meets first. Or the
-// image of one slice of its box.
+// The position and the diffuse map of a receiver: of all that stands in the water, what the light meets first. With SLICE the
+// image of one slice of its box, with EXITS where what comes first ends.
+#include "techniques/caustics/planes.glsl"
 #ifdef CUTOUT
 #include "shaders/cutout.glsl"
 #endif
@@ -8,25 +9,38 @@ layout(location = 0) noperspective in vec2 depth_height;
 layout(location = 1) noperspective in vec2 surface_uv;
 layout(location = 2) noperspective in vec3 surface_color;
 
-#ifdef SLICE
-#include "techniques/caustics/planes.glsl"
+#if defined(SLICE)
 layout(location = 0) out vec4 image;  // white where the receiver is, black where others are
 uniform int slice;
 uniform float slices;
-vec2 place;
+#elif defined(EXITS)
+layout(location = 0) out float exit_depth;
+layout(binding = 7) uniform sampler2D places;
 #else
-layout(location = 0) out vec2 place;
-#endif
+layout(location = 0) out vec4 place;
 #ifdef WITH_DIFFUSE
 #include "shaders/material.glsl"
 layout(location = 1) out vec4 diffuse;
 #endif
+#endif
 
 uniform float water_top;
+uniform float map_size;
 uniform int entity;
 uniform int receiver;
 
+// In the order of depth, and exactly what is kept within the box, so that its slices agree with the whole of it on what is
+// nearest; what stands over the box is squeezed before that.
+float order_of(float depth) {
+  const float kOver = 1e-10;
+  return min(depth > kOver ? depth : kOver / (1.0 - depth), 1.0);
+}
+
 void main() {
+  float depth = depth_height.x;
+  // Of the triangle's own plane, so that no edge of the receiver is in it. Depth is linear over a triangle: differences to
+  // fragments beside it, which also lie on the plane outside of the triangle, are exact.
+  vec2 gradient = map_size * vec2(dFdx(depth), dFdy(depth));
 #ifdef WITH_DIFFUSE
   diffuse = vec4(surface_diffuse(surface_uv, surface_color), 1.0);
 #endif
@@ -34,12 +48,19 @@ void main() {
   if (is_cut_out(surface_uv)) discard;
 #endif
   if (depth_height.y > water_top) discard;
-  place = vec2(depth_height.x, entity == receiver ? 1.0 : 0.0);
-  // Exactly what is kept, so that slices of the box agree with the whole of it on what is nearest.
-  gl_FragDepth = clamp(place.x, 0.0, 1.0);
-#ifdef SLICE
+  gl_FragDepth = order_of(depth);
+  bool own = entity == receiver;
+  bool is_back = gl_FrontFacing;  // the map's sides and the way of the light make a left-handed system
+#if defined(SLICE)
   // What stands over the box comes first.
-  if (max(nearest_plane(place.x, slices), 0) != slice) discard;
-  image = vec4(vec3(place.y), 1.0);
+  if (max(nearest_plane(depth, slices), 0) != slice) discard;
+  image = vec4(vec3(own ? 1.0 : 0.0), 1.0);
+#elif defined(EXITS)
+  vec4 first = texelFetch(places, ivec2(gl_FragCoord.xy), 0);
+  if (depth <= first.x) discard;
+  // A solid ends where a surface faces the other way; a sheet has no inside.
+  exit_depth = shows_back_face(first) != is_back ? depth : first.x;
+#else
+  place = vec4(depth, (own ? 1.0 : 0.0) + (is_back ? 2.0 : 0.0), gradient);
 #endif
 }

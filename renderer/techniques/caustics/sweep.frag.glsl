@@ -1,5 +1,9 @@
 // The flux of a volume on each texel that lies in it, at the texel's own depth.
 #include "techniques/caustics/flux.glsl"
+#include "techniques/caustics/places.glsl"
+#ifdef OCCLUDERS
+#include "techniques/caustics/occlusion.glsl"
+#endif
 #include "techniques/caustics/triangles.glsl"
 
 layout(location = 0) flat in uvec3 corner;
@@ -26,9 +30,10 @@ float to_the_left(vec2 point, uint from, vec2 a, uint to, vec2 b) {
 }
 
 void main() {
-  vec2 shown = texelFetch(places, ivec2(gl_FragCoord.xy), 0).xy;
-  if (shown.y != 1.0) discard;
-  float depth = shown.x;
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec4 place = texelFetch(places, texel, 0);
+  if (!shows_receiver(place)) discard;
+  float depth = place.x;
   vec4 ray_a = corner_ray[0], ray_b = corner_ray[1], ray_c = corner_ray[2];
   precise vec2 a = ray_a.xy + depth * ray_a.zw, b = ray_b.xy + depth * ray_b.zw, c = ray_c.xy + depth * ray_c.zw;
   vec2 point = gl_FragCoord.xy / vec2(textureSize(places, 0));
@@ -40,5 +45,9 @@ void main() {
   vec4 way_spot = part.x * corner_way_spot[0] + part.y * corner_way_spot[1] + part.z * corner_way_spot[2];
   float way = way_spot.x + depth * way_spot.y;
   if (way <= 0.0) discard;  // above the water
-  caustics = flux_of(flux, area_at(area, depth), way, way_spot.zw);
+  vec2 ray_step = part.x * ray_a.zw + part.y * ray_b.zw + part.z * ray_c.zw;
+#ifdef OCCLUDERS
+  if (is_occluded(places, texel, place, ray_step)) discard;
+#endif
+  caustics = flux_of(flux, area_at(area, depth), tilt_factor(ray_step, place), way, way_spot.zw);
 }

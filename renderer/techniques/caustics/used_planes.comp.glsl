@@ -14,7 +14,7 @@ void main() {
   if (y >= size.y) return;
   int last = -1;
   for (int x = 0; x < size.x; ++x) {
-    int plane = plane_of(texelFetch(places, ivec2(x, y), 0).xy, slices);
+    int plane = plane_of(texelFetch(places, ivec2(x, y), 0), slices);
     if (plane != last && plane >= 0) used[plane] = 1u;
     last = plane;
   }

@@ -1,11 +1,14 @@
 // The flux that lands in the plane.
 #include "techniques/caustics/flux.glsl"
 #include "techniques/caustics/triangles.glsl"
-#ifdef PLANE_DISCARD
 #include "techniques/caustics/planes.glsl"
+#ifdef OCCLUDERS
+#include "techniques/caustics/occlusion.glsl"
+#endif
+
 layout(binding = 0) uniform sampler2D places;
 uniform float slices;
-#elif !defined(ONE_PLANE)
+#if !defined(PLANE_DISCARD) && !defined(ONE_PLANE)
 layout(early_fragment_tests) in;  // against the planes of draw_plane_depths
 #endif
 
@@ -13,6 +16,7 @@ layout(location = 0) in float way;
 layout(location = 1) flat in float depth;
 layout(location = 2) flat in int plane;
 layout(location = 3) in vec2 spot;
+layout(location = 4) in vec2 ray_step;
 
 #ifdef LISTED_CUTS
 #include "techniques/caustics/cuts.glsl"
@@ -23,14 +27,20 @@ uniform int first;
 layout(location = 0) out vec4 caustics;
 
 void main() {
+  ivec2 texel = ivec2(gl_FragCoord.xy);
+  vec4 place = texelFetch(places, texel, 0);
 #ifdef PLANE_DISCARD
-  if (plane_of(texelFetch(places, ivec2(gl_FragCoord.xy), 0).xy, slices) != plane) discard;
+  if (plane_of(place, slices) != plane) discard;
 #endif
   if (way <= 0.0) discard;  // above the water
+#ifdef OCCLUDERS
+  // Of the planes through a texel only its own is to be lit.
+  if (plane_of(place, slices) != plane || is_occluded(places, texel, place, ray_step)) discard;
+#endif
 #ifdef LISTED_CUTS
   Triangle triangle = triangles[first + int(triangle_of_cut(cuts[gl_PrimitiveID]))];
 #else
   Triangle triangle = triangles[gl_PrimitiveID];
 #endif
-  caustics = flux_of(triangle.flux.rgb, area_at(triangle.area.xyz, depth), way, spot);
+  caustics = flux_of(triangle.flux.rgb, area_at(triangle.area.xyz, depth), tilt_factor(ray_step, place), way, spot);
 }

@@ -27,6 +27,7 @@ layout(location = 0) out float way;
 layout(location = 1) flat out float depth;
 layout(location = 2) flat out int plane;
 layout(location = 3) out vec2 spot;
+layout(location = 4) out vec2 ray_step;
 
 invariant gl_Position;  // alike in all ways of drawing, to the bit
 
@@ -48,5 +49,6 @@ void main() {
   depth = float(plane) / slices;
   way = ray_way.x + depth * ray_way.y;
   spot = ray_spot;
+  ray_step = ray.zw;
   gl_Position = vec4(2.0 * (ray.xy + depth * ray.zw) - 1.0, plane_depth(plane), 1.0);
 }

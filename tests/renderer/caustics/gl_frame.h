@@ -30,22 +30,34 @@ class GlFrame {
   FrameContext frame_;
 };
 
+/// How a receiver is drawn by itself.
+struct DrawnOptions {
+  int size = 128;  ///< texels along an edge of its maps
+  VolumeCulling culling = VolumeCulling::on;
+  bool occluders = true;  ///< whether edges stop light that waves bend aside
+};
+
 /// A receiver's map and the volumes of the first light.
 struct DrawnReceiver {
-  DrawnReceiver(FrameContext& frame, std::size_t entity, int size, VolumeCulling culling = VolumeCulling::on)
+  DrawnReceiver(FrameContext& frame, std::size_t entity, const DrawnOptions& options = {})
       : map(draw_receiver_map(frame, receiver_box(frame.scene(), entity, frame.scene().lights[0]), entity,
-                              size, ReceiverColor::surface)),
+                              options.size, ReceiverColor::surface)),
         shade(draw_water_shade(frame, frame.scene().lights[0])),
-        volumes(rays(frame.scene(), map.box, culling), map, frame.scene().water->absorption, 1.0 / 256,
-                shade ? &*shade : nullptr) {}
+        rays(rays_of(frame.scene(), map.box, options.culling)),
+        occluders(options.occluders ? std::make_unique<OccluderMap>(frame, map, rays.most_step, 16)
+                                    : nullptr),
+        volumes(rays, map, frame.scene().water->absorption, 1.0 / 256, shade ? &*shade : nullptr,
+                occluders.get()) {}
 
-  static MapRays rays(const Scene& scene, const ReceiverBox& box, VolumeCulling culling) {
+  static MapRays rays_of(const Scene& scene, const ReceiverBox& box, VolumeCulling culling) {
     const Mesh mesh = water_mesh(*scene.water, scene.time);
     return map_rays(mesh, water_light(*scene.water, mesh, scene.lights[0], false), box, culling);
   }
 
   ReceiverMap map;
   std::optional<GlTexture> shade;
+  MapRays rays;
+  std::unique_ptr<OccluderMap> occluders;
   Volumes volumes;
 };
 

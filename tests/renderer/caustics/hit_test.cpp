@@ -19,7 +19,7 @@ using namespace test;
 Image hit_map(const Scene& scene, std::size_t entity, Straddling straddling = Straddling::split,
               int size = 128) {
   GlFrame frame(scene);
-  const DrawnReceiver drawn(frame.context(), entity, size);
+  const DrawnReceiver drawn(frame.context(), entity, {.size = size});
   HitOptions options;
   options.straddling = straddling;
   return read_back(draw_hits(frame.context(), drawn.map, drawn.volumes, options), 4);
@@ -38,15 +38,16 @@ TEST(GlHit, ShowsWhatTheLightTracerShows) {
     const FluxField expected = traced(scene, entity),
                     drawn = flux_field(hit_map(scene, entity, Straddling::split, 512));
     const FluxLikeness likeness = compare_flux(drawn, expected, 8);
-    EXPECT_GT(likeness.correlation, 0.95) << entity;
-    EXPECT_NEAR(likeness.energy, 1, 0.02) << entity;
+    // The rest is the rays' noise, about sixteen of them on each texel.
+    EXPECT_GT(likeness.correlation, 0.97) << entity;
+    EXPECT_NEAR(likeness.energy, 1, 0.005) << entity;
   }
 }
 
 TEST(GlHit, TrianglesThatStraddleLightAsTheLevelMapDoesWithManyPlanes) {
   const Scene scene = sphere_in_waves();
   GlFrame frame(scene);
-  const DrawnReceiver drawn(frame.context(), 1, 128);
+  const DrawnReceiver drawn(frame.context(), 1);
   HitOptions options;
   options.slices = 8000;  // on a curved surface nothing lands as exactly as one of them
   const Image swept = read_back(draw_hits(frame.context(), drawn.map, drawn.volumes, options), 4);

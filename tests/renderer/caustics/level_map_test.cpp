@@ -18,10 +18,10 @@ namespace {
 using namespace test;
 
 /// Of the first light on an entity.
-Image level_map(const Scene& scene, std::size_t entity, const LevelMapOptions& options = {}, int size = 128,
-                VolumeCulling culling = VolumeCulling::on) {
+Image level_map(const Scene& scene, std::size_t entity, const LevelMapOptions& options = {},
+                const DrawnOptions& how = {}) {
   GlFrame frame(scene);
-  const DrawnReceiver drawn(frame.context(), entity, size, culling);
+  const DrawnReceiver drawn(frame.context(), entity, how);
   return read_back(draw_level_map(frame.context(), drawn.map, drawn.volumes, options), 4);
 }
 
@@ -64,7 +64,7 @@ TEST(GlLevelMap, ASineWaveFocusesAtTheAnalyticDepth) {
   for (const double share : {0.25, 0.5, 0.75}) {
     const double depth = share * focus;  // below the crest
     scene.water->height = float(depth - amplitude + 0.01);
-    const Image map = level_map(scene, 1, {}, 256);
+    const Image map = level_map(scene, 1, {}, {.size = 256});
     EXPECT_NEAR(double(map.pixel(128, 128)[0]), 1 / (1 - share), 0.02 / (1 - share)) << share;
     // Under a trough, at x = 0.4 and -0.4, whichever way the map lies.
     const float trough = std::min({map.pixel(230, 128)[0], map.pixel(26, 128)[0], map.pixel(128, 230)[0]});
@@ -101,16 +101,20 @@ TEST(GlLevelMap, AllWaysGiveTheSameBits) {
   LevelMapOptions plain;
   plain.test = PlaneTest::discard;
   plain.slicing = Slicing::uniform;
-  const Image expected = level_map(scene, 1, plain, 128, VolumeCulling::off);
-  EXPECT_GT(*std::max_element(expected.data.begin(), expected.data.end()), 1);
-  for (const PlaneTest test : {PlaneTest::equal, PlaneTest::discard})
-    for (const Slicing slicing :
-         {Slicing::local, Slicing::smart, Slicing::smart_read_back, Slicing::uniform}) {
-      LevelMapOptions options;
-      options.test = test;
-      options.slicing = slicing;
-      EXPECT_EQ(level_map(scene, 1, options), expected) << int(test) << " " << int(slicing);
-    }
+  for (const bool occluders : {false, true}) {
+    const Image expected =
+        level_map(scene, 1, plain, {.culling = VolumeCulling::off, .occluders = occluders});
+    EXPECT_GT(*std::max_element(expected.data.begin(), expected.data.end()), 1);
+    for (const PlaneTest test : {PlaneTest::equal, PlaneTest::discard})
+      for (const Slicing slicing :
+           {Slicing::local, Slicing::smart, Slicing::smart_read_back, Slicing::uniform}) {
+        LevelMapOptions options;
+        options.test = test;
+        options.slicing = slicing;
+        EXPECT_EQ(level_map(scene, 1, options, {.occluders = occluders}), expected)
+            << int(test) << " " << int(slicing) << " " << occluders;
+      }
+  }
 }
 
 /// Something that reaches out of the water, and something over it.
@@ -126,7 +130,7 @@ FluxLikeness to_rays(const Scene& scene, std::size_t entity) {
   options.rays = 4'000'000;
   options.map_size = 256;
   const FluxField traced = flux_field(trace_light(scene, scene.lights[0], options).maps[entity]);
-  return compare_flux(flux_field(level_map(scene, entity, {}, 256)), traced, 8);
+  return compare_flux(flux_field(level_map(scene, entity, {}, {.size = 256})), traced, 8);
 }
 
 TEST(GlLevelMap, WhatStandsAboveTheWaterShadesIt) {
@@ -160,16 +164,15 @@ TEST(GlLevelMap, AllWaysGiveTheSameBitsInShade) {
 TEST(GlVolumetric, GivesTheBitsOfTheLevelMap) {
   Scene scene = shaded_sphere();
   add_box(scene, "lid", {{-0.5f, 2.2f, -0.5f}, {0, 2.3f, 0.5f}});
-  const Image expected = level_map(scene, 1);
-  for (const SliceDrawing drawing : {SliceDrawing::whole, SliceDrawing::clusters}) {
-    GlFrame frame(scene);
-    const DrawnReceiver drawn(frame.context(), 1, 128);
-    const Image map =
-        read_back(draw_volumetric(frame.context(), drawn.map, drawn.volumes, {100, drawing}), 4);
-    for (int y = 0; y < 128; ++y)
-      for (int x = 0; x < 128; ++x)
-        for (int c = 0; c < 3; ++c)
-          ASSERT_EQ(map.pixel(x, y)[std::size_t(c)], expected.pixel(x, y)[std::size_t(c)]) << x << " " << y;
+  for (const bool occluders : {false, true}) {
+    const Image expected = level_map(scene, 1, {}, {.occluders = occluders});
+    for (const SliceDrawing drawing : {SliceDrawing::whole, SliceDrawing::clusters}) {
+      GlFrame frame(scene);
+      const DrawnReceiver drawn(frame.context(), 1, {.occluders = occluders});
+      const Image map =
+          read_back(draw_volumetric(frame.context(), drawn.map, drawn.volumes, {100, drawing}), 4);
+      EXPECT_EQ(differing_texels(map, expected), 0U) << int(drawing) << " " << occluders;
+    }
   }
 }
 
@@ -181,10 +184,11 @@ TEST(GlLevelMap, ShowsWhatTheLightTracerShows) {
   const LightTrace trace = trace_light(scene, scene.lights[0], options);
   for (const std::size_t entity : {0U, 1U}) {
     const FluxField traced = flux_field(trace.maps[entity]);
-    const FluxField drawn = flux_field(level_map(scene, entity, {}, 512));
+    const FluxField drawn = flux_field(level_map(scene, entity, {}, {.size = 512}));
     const FluxLikeness likeness = compare_flux(drawn, traced, 8);
-    EXPECT_GT(likeness.correlation, 0.95) << entity;
-    EXPECT_NEAR(likeness.energy, 1, 0.02) << entity;
+    // The rest is the rays' noise, about sixteen of them on each texel.
+    EXPECT_GT(likeness.correlation, 0.97) << entity;
+    EXPECT_NEAR(likeness.energy, 1, 0.005) << entity;
   }
 }
 
@@ -193,7 +197,7 @@ double landed_share(const Scene& scene) {
   double landed = 0, entered = 0;
   for (std::size_t entity = 0; entity < scene.entities.size(); ++entity) {
     const ReceiverBox box = receiver_box(scene, entity, scene.lights[0]);
-    const FluxField field = flux_field(level_map(scene, entity, {}, 512));
+    const FluxField field = flux_field(level_map(scene, entity, {}, {.size = 512}));
     for (const double flux : field.values)
       landed += flux * box.size.x * box.size.z / double(field.values.size());
   }
