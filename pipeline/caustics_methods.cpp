@@ -13,8 +13,8 @@ const std::vector<CausticsMethodRow>& caustics_methods() {
       {"level map, read back", {{"slicing", "smart_read_back"}}, true},
       {"level map, all planes", {{"slicing", "uniform"}}, true},
       {"level map, discard", {{"slicing", "uniform"}, {"plane_test", "discard"}}, true},
-      {"volumetric", {{"method", "volumetric"}}, true, false},
-      {"volumetric, clusters", {{"method", "volumetric"}, {"slice_images", "clusters"}}, true, false},
+      {"volumetric", {{"method", "volumetric"}}, true},
+      {"volumetric, clusters", {{"method", "volumetric"}, {"slice_images", "clusters"}}, true},
       {"hit", {{"method", "hit"}}, false},
       {"hit, no split", {{"method", "hit"}, {"straddling", "drop"}}, false},
   };
@@ -28,11 +28,12 @@ void require_lit_water(const Scene& scene) {
       throw Error(problem, scene.name);
 }
 
-ParamValues method_params(const CausticsMethodRow& method, int map_size, int slices) {
+ParamValues method_params(const CausticsMethodRow& method, const MapSettings& settings) {
   const Technique& technique = find_technique("caustics", "caustics");
   std::map<std::string, ParamValue> given = method.params;
-  given["map_size"] = static_cast<long long>(map_size);
-  given["slices"] = static_cast<long long>(slices);
+  given["map_size"] = static_cast<long long>(settings.size);
+  given["slices"] = static_cast<long long>(settings.slices);
+  given["layers"] = static_cast<long long>(settings.layers);
   return resolve_params(technique.params, technique.presets, "", given, method.name);
 }
 

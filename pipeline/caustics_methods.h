@@ -13,8 +13,7 @@ namespace lightbench {
 struct CausticsMethodRow {
   const char* name;
   std::map<std::string, ParamValue> params;
-  bool same_light;          ///< whether its maps have the bits of all others of which this is said
-  bool by_position = true;  ///< whether it needs the position map for more than casting
+  bool same_light;  ///< whether its maps have the bits of all others of which this is said
 };
 
 const std::vector<CausticsMethodRow>& caustics_methods();
@@ -22,7 +21,14 @@ const std::vector<CausticsMethodRow>& caustics_methods();
 /// Throws Error for a scene without water and for lights that cannot shine through it.
 void require_lit_water(const Scene& scene);
 
+/// What a study draws all rows with: values of the technique's parameters.
+struct MapSettings {
+  int size = 512;
+  int slices = 100;
+  int layers = 2;
+};
+
 /// All parameters of the technique for a row.
-ParamValues method_params(const CausticsMethodRow& method, int map_size, int slices);
+ParamValues method_params(const CausticsMethodRow& method, const MapSettings& settings);
 
 }  // namespace lightbench

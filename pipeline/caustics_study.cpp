@@ -8,7 +8,6 @@
 
 #include "base/files.h"
 #include "base/image_io.h"
-#include "pipeline/caustics_methods.h"
 #include "povexport/pov_scene.h"
 #include "povexport/povray.h"
 #include "renderer/caustics/caustics_maps.h"
@@ -111,7 +110,7 @@ class Study {
   std::vector<ReceiverFigures> of_light(const Light& light) {
     LightTraceOptions trace;
     trace.rays = options_.rays;
-    trace.map_size = options_.map_size;
+    trace.map_size = options_.maps.size;
     trace.threads = options_.threads;
     progress_(fmt::format("{}: rays of {}", scene_.name, light.name));
     const LightTrace traced = trace_light(scene_, light, trace);
@@ -137,8 +136,7 @@ class Study {
     Image first;
     for (const CausticsMethodRow& method : caustics_methods()) {
       progress_(fmt::format("{}: {}, {}", scene_.name, figures.receiver, method.name));
-      const CausticsMap drawn =
-          gl_.draw(entity, light, method_params(method, options_.map_size, options_.slices));
+      const CausticsMap drawn = gl_.draw(entity, light, method_params(method, options_.maps));
       const FluxField field = flux_field(drawn.flux);
       if (first.data.empty()) {
         first = drawn.flux;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/caustics_methods.h"
 #include "renderer/caustics/flux_compare.h"
 #include "renderer/gl_context.h"
 #include "scene/scene.h"
@@ -14,8 +15,7 @@ namespace lightbench {
 
 struct CausticsStudyOptions {
   std::int64_t rays = 40'000'000;  ///< of the light tracer, for each light
-  int map_size = 512;
-  int slices = 100;
+  MapSettings maps;
   double most = 8;      ///< flat water's light: both sides are clipped at so much
   bool povray = false;  ///< POV-Ray's photons, too
   /// Between photons at the water's level, as a share of the water's longer side. POV-Ray gathers 20 to 100

@@ -23,8 +23,8 @@ std::vector<CausticsMethodRow> chosen_methods(const SlicingStudyOptions& options
   return methods;
 }
 
-double seconds_of(const CausticsMethodRow& method, const CausticsMap& map) {
-  return map.seconds + (method.by_position ? map.position_seconds : 0);
+double seconds_of(const CausticsMap& map) {
+  return map.position_seconds + map.seconds;
 }
 
 /// Fills `receiver` by one number of planes more.
@@ -33,7 +33,7 @@ void add_times(CausticsMaps& maps, std::size_t entity, const Light& light, int p
   const std::vector<CausticsMethodRow> methods = chosen_methods(options);
   std::vector<ParamValues> params;
   for (const CausticsMethodRow& method : methods)
-    params.push_back(method_params(method, options.map_size, planes - 1));
+    params.push_back(method_params(method, {options.map_size, planes - 1, options.layers}));
   SlicingTimes times;
   times.planes = planes;
   CausticsMap first;
@@ -47,7 +47,7 @@ void add_times(CausticsMaps& maps, std::size_t entity, const Light& light, int p
   std::vector<std::vector<double>> seconds(methods.size());
   for (int round = 0; round < options.rounds; ++round)
     for (std::size_t m = 0; m < methods.size(); ++m)
-      seconds[m].push_back(seconds_of(methods[m], maps.draw(entity, light, params[m])));
+      seconds[m].push_back(seconds_of(maps.draw(entity, light, params[m])));
   for (std::size_t m = 0; m < methods.size(); ++m) {
     const BenchTime time = summarize(methods[m].name, seconds[m]);
     times.methods.push_back({time.pass, 1e3 * time.median, 1e3 * time.lower, 1e3 * time.upper});

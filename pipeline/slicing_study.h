@@ -14,6 +14,7 @@ struct SlicingStudyOptions {
   std::vector<int> planes{11, 26, 51, 101};  ///< by how many a receiver's box is cut, 2 and more
   int rounds = 3;
   int map_size = 512;
+  int layers = 2;                    ///< of the position map
   std::vector<std::string> methods;  ///< names of rows of caustics_methods(); none: all
   std::vector<std::string> without;  ///< names of receivers that are left out
   GlBackend backend = GlBackend::osmesa;

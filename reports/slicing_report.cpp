@@ -176,9 +176,9 @@ std::string about(const SlicingReport& report) {
                                  ? fmt::format("Medians of {} rounds in which the methods take turns, {}. {}",
                                                report.rounds, report.renderer, spread_text(report))
                                  : fmt::format("One round, after one to warm up, {}.", report.renderer);
-  return "Milliseconds for one receiver's maps: the position map and the map of caustics; of `volumetric`, "
-         "which "
-         "needs no position map but for casting, the map of caustics alone. " +
+  return fmt::format(
+             "Milliseconds for one receiver's maps: the position map, of {}, and the map of caustics. ",
+             report.layers > 1 ? "two layers" : "one layer") +
          rounds;
 }
 

@@ -37,7 +37,7 @@ ExitCode run_caustics(const CausticsParams& params) {
       for (Wave& wave : scene.water->waves) wave.amplitude *= params.amplitudes;
     figures.emplace_back(scene.name, study_caustics(scene, options, say_aside));
   }
-  const std::string tables = caustics_tables(figures, options.slices);
+  const std::string tables = caustics_tables(figures, options.maps.slices);
   if (params.output.empty())
     say(tables);
   else
@@ -57,11 +57,16 @@ void add_caustics_command(CLI::App& app, Action& action) {
   command->add_option("--rays", options.rays, "Of each light, through the water; about so many")
       ->check(number_between(1000.0, 1e11))
       ->capture_default_str();
-  command->add_option("--map-size", options.map_size, "Texels along an edge of a receiver's maps")
+  command->add_option("--map-size", options.maps.size, "Texels along an edge of a receiver's maps")
       ->check(number_between(16, 4096))
       ->capture_default_str();
-  command->add_option("--slices", options.slices, "Of a receiver's box")
+  command->add_option("--slices", options.maps.slices, "Of a receiver's box")
       ->check(number_between(1, 2000))
+      ->capture_default_str();
+  command
+      ->add_option("--layers", options.maps.layers,
+                   "Of the position map: with 2, edges stop light that is bent aside")
+      ->check(number_between(1, 2))
       ->capture_default_str();
   command->add_option("--most", options.most, "Flat water's light: brighter texels count as so bright")
       ->check(number_between(0.01, 1e6))

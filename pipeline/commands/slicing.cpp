@@ -63,6 +63,7 @@ ExitCode run_slicing(const SlicingParams& params) {
   warn_if_busy();
   SlicingReport report;
   report.rounds = options.rounds;
+  report.layers = options.layers;
   report.renderer = Renderer(options.backend).description();
   for (const std::string& file : params.scenes)
     for (SlicedReceiver& receiver : study_slicing(load_scene(file), options, say_aside))
@@ -99,6 +100,11 @@ void add_slicing_command(CLI::App& app, Action& action) {
       ->capture_default_str();
   command->add_option("--map-size", options.map_size, "Texels along an edge of a receiver's maps")
       ->check(number_between(16, 4096))
+      ->capture_default_str();
+  command
+      ->add_option("--layers", options.layers,
+                   "Of the position map: with 2, edges stop light that is bent aside")
+      ->check(number_between(1, 2))
       ->capture_default_str();
   command->add_option("--without", options.without, "Names of receivers to leave out")
       ->delimiter(',')

@@ -14,7 +14,8 @@ namespace lightbench {
 /// Illumination volumes of one light and one receiver on the GPU.
 struct Volumes {
   /// `least_area` of a triangle's image, in texels of the map: at folds it is 0, and flux over it without
-  /// bound. `shade`: of draw_water_shade, null where nothing is above the water; it must outlive this.
+  /// bound. `shade`: of draw_water_shade, null where nothing is above the water;
+  /// `occluders`: null where only what lies along the axis stops light. Both must outlive this.
   Volumes(const MapRays& rays, const ReceiverMap& map, const glm::vec3& absorption, double least_area,
           const GlTexture* shade = nullptr, const OccluderMap* occluders = nullptr);
 
