@@ -19,9 +19,8 @@
 namespace lightbench {
 namespace {
 
-/// A map that is dark all over has no correlation.
-std::string number_or_dash(double value) {
-  return std::isfinite(value) ? fmt::format("{:.3f}", value) : "-";
+std::string number_or(const std::optional<double>& value, const char* otherwise) {
+  return value ? fmt::format("{:.3f}", *value) : otherwise;
 }
 
 double whole_flux(const FluxField& field, const ReceiverBox& box) {
@@ -200,9 +199,9 @@ std::string caustics_tables(const std::vector<std::pair<std::string, std::vector
   for (const auto& [scene, receivers] : scenes)
     for (const ReceiverFigures& f : receivers)
       for (const MethodFigures& m : f.methods)
-        text += fmt::format("| {} | {} | {} | {} | {} | {:.3f} | {} | {} | {} |\n", escape_markdown(scene),
+        text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", escape_markdown(scene),
                             escape_markdown(f.receiver), escape_markdown(f.light), m.method,
-                            number_or_dash(m.likeness.correlation), m.likeness.energy,
+                            number_or(m.likeness.correlation, "-"), number_or(m.likeness.energy, "no light"),
                             m.landed > 0 ? fmt::format("{:.4f}", m.landed) : "-",
                             m.texture_bytes > 0 ? std::to_string(m.differing) : "-",
                             m.texture_bytes > 0 ? fmt::format("{:.1f}", double(m.texture_bytes) / 1e6) : "-");

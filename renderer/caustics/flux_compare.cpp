@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 
 namespace lightbench {
 namespace {
@@ -30,7 +31,12 @@ double mean(const std::vector<double>& values) {
   return values.empty() ? 0 : sum / double(values.size());
 }
 
-double pearson(const std::vector<double>& a, const std::vector<double>& b) {
+bool same_everywhere(const std::vector<double>& values) {
+  return std::ranges::adjacent_find(values, std::not_equal_to()) == values.end();
+}
+
+std::optional<double> pearson(const std::vector<double>& a, const std::vector<double>& b) {
+  if (same_everywhere(a) || same_everywhere(b)) return std::nullopt;
   const double mean_a = mean(a), mean_b = mean(b);
   double ab = 0, aa = 0, bb = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -66,7 +72,8 @@ FluxLikeness compare_flux(const FluxField& map, const FluxField& truth, double m
     sum += map.values[i];
     true_sum += truth.values[i];
   }
-  return {pearson(smoothed(map, counts, most), smoothed(truth, counts, most)), sum / true_sum};
+  return {pearson(smoothed(map, counts, most), smoothed(truth, counts, most)),
+          true_sum > 0 ? std::optional(sum / true_sum) : std::nullopt};
 }
 
 std::size_t differing_texels(const Image& a, const Image& b) {

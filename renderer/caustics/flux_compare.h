@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "base/image.h"
@@ -21,9 +22,11 @@ FluxField flux_field(const FluxMap& map);
 FluxField flux_field(const Image& map);
 
 struct FluxLikeness {
-  double correlation = 0;  ///< Pearson's
-  double energy =
-      0;  ///< the first map's over the second's, over all texels that count, neither smoothed nor clipped
+  /// Pearson's; none where one of the maps is the same everywhere, as one without light is.
+  std::optional<double> correlation;
+  /// The first map's over the second's, over all texels that count, neither smoothed nor clipped; none where
+  /// the second has no light.
+  std::optional<double> energy;
 };
 
 /// Over the texels that count in both; both are clipped at `most`. Sizes must be equal.

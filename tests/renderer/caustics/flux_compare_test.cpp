@@ -13,8 +13,8 @@ FluxField ramp(int size, double factor) {
 
 TEST(FluxCompare, AMultipleIsAlikeAndHasThatEnergy) {
   const FluxLikeness likeness = compare_flux(ramp(8, 2), ramp(8, 1), 1e9);
-  EXPECT_NEAR(likeness.correlation, 1, 1e-12);
-  EXPECT_NEAR(likeness.energy, 2, 1e-12);
+  EXPECT_NEAR(likeness.correlation.value(), 1, 1e-12);
+  EXPECT_NEAR(likeness.energy.value(), 2, 1e-12);
 }
 
 TEST(FluxCompare, OnlyTexelsThatCountInBothAreCompared) {
@@ -24,8 +24,8 @@ TEST(FluxCompare, OnlyTexelsThatCountInBothAreCompared) {
   truth.values[20] = 1e6;
   truth.counts[20] = false;
   const FluxLikeness likeness = compare_flux(map, truth, 1e9);
-  EXPECT_NEAR(likeness.correlation, 1, 1e-12);
-  EXPECT_NEAR(likeness.energy, 1, 1e-12);
+  EXPECT_NEAR(likeness.correlation.value(), 1, 1e-12);
+  EXPECT_NEAR(likeness.energy.value(), 1, 1e-12);
 }
 
 TEST(FluxCompare, ASingleBrightTexelIsClippedButItsEnergyCounts) {
@@ -34,6 +34,26 @@ TEST(FluxCompare, ASingleBrightTexelIsClippedButItsEnergyCounts) {
   const FluxLikeness likeness = compare_flux(map, ramp(16, 1), 20);
   EXPECT_GT(likeness.correlation, 0.7);
   EXPECT_GT(likeness.energy, 100);
+}
+
+TEST(FluxCompare, WithoutLightThereIsNoEnergyAndNoCorrelation) {
+  const FluxLikeness likeness = compare_flux(ramp(8, 1), ramp(8, 0), 1e9);
+  EXPECT_EQ(likeness.energy, std::nullopt);
+  EXPECT_EQ(likeness.correlation, std::nullopt);
+}
+
+TEST(FluxCompare, ADarkMapOfALitReceiverHasNoneOfItsEnergy) {
+  const FluxLikeness likeness = compare_flux(ramp(8, 0), ramp(8, 1), 1e9);
+  EXPECT_EQ(likeness.energy, 0);
+  EXPECT_EQ(likeness.correlation, std::nullopt);
+}
+
+TEST(FluxCompare, WhereNoTexelCountsThereIsNothingToCompare) {
+  FluxField map = ramp(8, 1);
+  map.counts.assign(64, false);
+  const FluxLikeness likeness = compare_flux(map, ramp(8, 1), 1e9);
+  EXPECT_EQ(likeness.energy, std::nullopt);
+  EXPECT_EQ(likeness.correlation, std::nullopt);
 }
 
 TEST(FluxCompare, AMapReadBackIsTurnedOver) {

@@ -40,7 +40,7 @@ TEST(GlHit, ShowsWhatTheLightTracerShows) {
     const FluxLikeness likeness = compare_flux(drawn, expected, 8);
     // The rest is the rays' noise, about sixteen of them on each texel.
     EXPECT_GT(likeness.correlation, 0.97) << entity;
-    EXPECT_NEAR(likeness.energy, 1, 0.005) << entity;
+    EXPECT_NEAR(likeness.energy.value(), 1, 0.005) << entity;
   }
 }
 
@@ -69,7 +69,7 @@ TEST(GlHit, WithoutThoseThatStraddleLightIsMissing) {
   const Scene scene = sphere_in_waves();
   const FluxField all = flux_field(hit_map(scene, 1)),
                   dropped = flux_field(hit_map(scene, 1, Straddling::drop));
-  const double kept = compare_flux(dropped, all, 8).energy;
+  const double kept = compare_flux(dropped, all, 8).energy.value();
   EXPECT_LT(kept, 0.98);
   EXPECT_GT(kept, 0.5);
 }

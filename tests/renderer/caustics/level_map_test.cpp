@@ -143,8 +143,8 @@ TEST(GlLevelMap, WhatStandsAboveTheWaterShadesIt) {
     for (const std::size_t entity : {0U, 1U}) {
       // As near to rays as without the shade.
       const FluxLikeness with = to_rays(shaded, entity), without = to_rays(open, entity);
-      EXPECT_GT(with.correlation, without.correlation - 0.01) << light.name << entity;
-      EXPECT_NEAR(with.energy, without.energy, 0.03) << light.name << entity;
+      EXPECT_GT(with.correlation, without.correlation.value() - 0.01) << light.name << entity;
+      EXPECT_NEAR(with.energy.value(), without.energy.value(), 0.03) << light.name << entity;
     }
     const FluxField dark = flux_field(level_map(shaded, 1)), bright = flux_field(level_map(open, 1));
     EXPECT_LT(compare_flux(dark, bright, 8).energy, 0.9) << light.name;
@@ -188,7 +188,7 @@ TEST(GlLevelMap, ShowsWhatTheLightTracerShows) {
     const FluxLikeness likeness = compare_flux(drawn, traced, 8);
     // The rest is the rays' noise, about sixteen of them on each texel.
     EXPECT_GT(likeness.correlation, 0.97) << entity;
-    EXPECT_NEAR(likeness.energy, 1, 0.005) << entity;
+    EXPECT_NEAR(likeness.energy.value(), 1, 0.005) << entity;
   }
 }
 
