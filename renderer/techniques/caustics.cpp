@@ -1,6 +1,8 @@
 #include "renderer/techniques/caustics.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 #include "renderer/caustics/caustics_cast.h"
@@ -15,6 +17,7 @@
 #include "renderer/direct_light.h"
 #include "renderer/frame_context.h"
 #include "renderer/gpu_scene.h"
+#include "scene/nearest_surface.h"
 #include "scene/water.h"
 
 namespace lightbench {
@@ -56,11 +59,28 @@ struct BelowWater {
   std::optional<CausticsPicture> picture;
 };
 
+/// The longer side in pixels of the rectangle around a box, were the picture without edges; nothing where the
+/// box reaches behind the near plane.
+std::optional<double> pixels_across(const FrameContext& frame, const Bounds& box) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  glm::dvec2 low(infinity), high(-infinity);
+  for (const glm::vec3& corner : corners(box)) {
+    const glm::dvec4 c = frame.camera().clip_from_world * glm::dvec4(corner, 1);
+    if (c.z > c.w) return std::nullopt;
+    low = glm::min(low, glm::dvec2(c) / c.w);
+    high = glm::max(high, glm::dvec2(c) / c.w);
+  }
+  const glm::dvec2 size = 0.5 * (high - low) * glm::dvec2(frame.width(), frame.height());
+  return std::max(size.x, size.y);
+}
+
+/// The picture's edges do not count: what they hide of a receiver is sliced along with the rest, and water
+/// may show what lies beyond them.
 CausticsOptions detailed(const FrameContext& frame, std::size_t receiver, const CausticsOptions& options) {
   if (!options.level_of_detail) return options;
-  const PixelRect pixels = pixels_of_box(frame.gpu_scene().entity_bounds(receiver),
-                                         frame.camera().clip_from_world, {frame.width(), frame.height()});
-  return with_slices(options, std::max({1, pixels.size.x, pixels.size.y}));
+  const auto pixels = pixels_across(frame, frame.gpu_scene().entity_bounds(receiver));
+  if (!pixels || *pixels >= options.level_map.slices) return options;
+  return with_slices(options, std::max(1, int(std::ceil(*pixels))));
 }
 
 void light(FrameContext& frame, const CausticsOptions& options, const Mesh& mesh,
