@@ -22,14 +22,17 @@ struct Fade {
   double power;
 };
 
-/// Sum of fades nearest to saturate(1 - d)^2 in what an sRGB image shows of it, at all distances: found by
-/// differential evolution over distances and powers, the amplitudes by least squares that were weighted anew
-/// towards the smallest maximum.
+/// Sum of fades nearest to saturate(1 - d^2) in what an sRGB image shows of it, at all distances: found by
+/// damped least squares over all numbers from many random starts, weighted anew towards the smallest
+/// maximum. Pairs of opposite sign make ever steeper steps at the radius, where the curve has its
+/// corner.
 constexpr Fade kRadiusFades[] = {
-    {-0.0485763173, 0.951995334, 17.9056902}, {-0.0823616678, 0.680391662, 1.95748359},
-    {0.349799861, 0.377645193, 2.35633041},   {0.168338004, 0.105363285, 1.37218351},
-    {0.0436595675, 0.9371638, 18.4718472},    {-0.113865867, 0.907137776, 4.8117558},
-    {0.180695487, 0.733957056, 4.61862155},
+    {0.338976334, 0.603727829, 2.56180934},  {-0.122016065, 0.957857016, 2.67496532},
+    {0.30874744, 0.811326473, 6.41281381},   {-0.112683446, 1.02778482, 6.94687567},
+    {0.217329688, 0.950602287, 18.1783203},  {-0.15081064, 0.993948861, 18.799315},
+    {0.111508741, 0.989337664, 63.2610895},  {-0.0956394417, 0.996983777, 63.4485397},
+    {-0.235855865, 0.999171502, 268.203499}, {0.238786554, 0.998950101, 268.240546},
+    {0.144931211, 0.999982889, 1705.11276},  {-0.144723391, 0.999995541, 1705.7886},
 };
 
 std::vector<Fade> fades_of(const Light& light, double scale) {
@@ -93,12 +96,12 @@ PovWriter pov_light(const Light& light, const PovSpace& space, const PovLightOpt
 }
 
 double radius_attenuation_error() {
-  constexpr int kDecades = 4, kSteps = 500;  // to each side of the radius; per decade
+  constexpr int kDecades = 4, kSteps = 5000;  // to each side of the radius; per decade
   double largest = 0;
   for (int i = -kDecades * kSteps; i <= kDecades * kSteps; ++i) {
     const double part = std::pow(10.0, double(i) / kSteps);
-    const double left = std::max(1 - part, 0.0);
-    largest = std::max(largest, std::abs(radius_attenuation_by_fades(part) - left * left));
+    const double wanted = std::max(1 - part * part, 0.0);
+    largest = std::max(largest, std::abs(radius_attenuation_by_fades(part) - wanted));
   }
   return largest;
 }

@@ -28,7 +28,7 @@ PovWriter pov_light(const Light& light, const PovSpace& space, const PovLightOpt
 /// What of a light has no exact counterpart, as a sentence for the report, or nothing.
 std::vector<std::string> pov_light_warnings(const Light& light);
 
-/// What stands for saturate(1 - d / radius)^2 in POV-Ray, at d = `part` radii: a sum of fades, some of them
+/// What stands for saturate(1 - (d / radius)^2) in POV-Ray, at d = `part` radii: a sum of fades, some of them
 /// dark.
 double radius_attenuation_by_fades(double part);
 /// The largest difference between the two, where 1 is the light at its place: looked for from a

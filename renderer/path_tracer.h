@@ -12,8 +12,8 @@
 namespace lightbench {
 
 /// Raised when equal arguments give another image.
-inline constexpr int kPathTracerVersion = 2;
-/// "path tracer 2, Embree 3.13.5".
+inline constexpr int kPathTracerVersion = 3;
+/// "path tracer 3, Embree 3.13.5".
 std::string path_tracer_version();
 
 /// Limits of what light is gathered from: the surfaces that pictures from the camera's place hold, as in

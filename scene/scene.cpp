@@ -52,8 +52,8 @@ float attenuation_factor(const Attenuation& attenuation, float d) {
     case Attenuation::Kind::inverse_square:
       return 1.0f / (d * d);
     case Attenuation::Kind::radius: {
-      const float left = std::clamp(1.0f - d / attenuation.radius, 0.0f, 1.0f);
-      return left * left;
+      const float part = d / attenuation.radius;
+      return std::max(1.0f - part * part, 0.0f);
     }
   }
   return 1.0f;

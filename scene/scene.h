@@ -82,7 +82,7 @@ struct Attenuation {
     none,
     fade,            ///< 2 / (1 + (d / distance)^power)
     inverse_square,  ///< 1 / d^2
-    radius,          ///< saturate(1 - d / radius)^2
+    radius,          ///< saturate(1 - (d / radius)^2), the image-space radiosity thesis's eq. 16
   };
   Kind kind = Kind::none;
   float distance = 1;

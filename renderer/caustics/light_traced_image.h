@@ -11,8 +11,8 @@
 namespace lightbench {
 
 /// Raised when equal arguments give another image.
-inline constexpr int kLightTracerVersion = 1;
-/// "light tracer 1, Embree 3.13.5".
+inline constexpr int kLightTracerVersion = 2;
+/// "light tracer 2, Embree 3.13.5".
 std::string light_tracer_version();
 
 struct LightTracedOptions {

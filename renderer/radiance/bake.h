@@ -13,7 +13,7 @@
 namespace lightbench {
 
 /// Raised when equal arguments give other texels.
-inline constexpr int kBakeVersion = 4;
+inline constexpr int kBakeVersion = 5;
 
 struct BakeOptions {
   DirectionGrid grid;

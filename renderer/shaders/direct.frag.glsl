@@ -27,8 +27,8 @@ float attenuation(float d) {
     case 1: return 2.0 / (1.0 + pow(d / light_attenuation.y, light_attenuation.z));
     case 2: return 1.0 / (d * d);
     case 3: {
-      float near = clamp(1.0 - d / light_attenuation.w, 0.0, 1.0);
-      return near * near;
+      float part = d / light_attenuation.w;
+      return max(1.0 - part * part, 0.0);
     }
     default: return 1.0;
   }

@@ -8,6 +8,7 @@
 #include "base/color.h"
 #include "pov_test_scenes.h"
 #include "scene/light_points.h"
+#include "tests/radius_attenuation.h"
 
 namespace lightbench {
 namespace {
@@ -187,28 +188,41 @@ TEST(PovrayLights, WithoutShadowsNothingIsInTheWay) {
   EXPECT_NEAR(render(scene, facing_camera(), options).pixel(16, 16)[0], 1, kHalfError);
 }
 
+TEST(PovLights, TheSumOfFadesIsTheRadiusAttenuationAtKnownDistances) {
+  for (const auto& [part, factor] : test::kRadiusFactors)
+    EXPECT_NEAR(radius_attenuation_by_fades(part), double(factor), radius_attenuation_error()) << part;
+}
+
 // In 8-bit sRGB, where darkness shows more of an error than in linear light. From near the light to where
 // nothing of it may be left.
 TEST(PovLights, TheSumOfFadesIsWithinHalfALevelOfTheRadiusAttenuation) {
-  const Attenuation attenuation{Attenuation::Kind::radius, 1, 2, 1};
-  for (int i = -4000; i <= 4000; ++i) {
-    const float d = std::pow(10.0f, 0.001f * float(i));
-    const auto fades = float(radius_attenuation_by_fades(d));
-    ASSERT_NEAR(255 * srgb_encode(fades), 255 * srgb_encode(attenuation_factor(attenuation, d)), 0.51f) << d;
+  for (int i = -40000; i <= 40000; ++i) {
+    const float d = std::pow(10.0f, 0.0001f * float(i));
+    const auto fades = float(radius_attenuation_by_fades(double(d)));
+    ASSERT_NEAR(255 * srgb_encode(fades), 255 * srgb_encode(std::max(1 - d * d, 0.0f)), 0.5f) << d;
   }
 }
 
 TEST(PovLights, TheErrorOfTheSumOfFadesIsTheLargestAnywhere) {
-  const Attenuation attenuation{Attenuation::Kind::radius, 1, 2, 1};
   const double error = radius_attenuation_error();
   EXPECT_LT(error, 0.01);
   double largest = 0;
-  for (int i = -40000; i <= 40000; ++i) {
-    const double d = std::pow(10.0, 0.0001 * double(i));
-    largest = std::max(largest, std::abs(radius_attenuation_by_fades(d) -
-                                         double(attenuation_factor(attenuation, float(d)))));
+  for (int i = -100000; i <= 100000; ++i) {
+    const double d = std::pow(10.0, 0.00004 * double(i));
+    largest = std::max(largest, std::abs(radius_attenuation_by_fades(d) - std::max(1 - d * d, 0.0)));
   }
   EXPECT_NEAR(error, largest, 1e-5);
+}
+
+TEST(PovrayLights, AttenuationByRadiusAtKnownDistances) {
+  const glm::vec3 place = wall_point(16, 16);
+  for (const auto& [part, factor] : test::kRadiusFactors) {
+    Light light = point_light({Attenuation::Kind::radius, 1, 2, test::radius_for(0.8f, part)});
+    light.position = place + glm::vec3(0, 0, 0.8f);
+    light.power = 1;
+    EXPECT_NEAR(lit_wall(light).pixel(16, 16)[0], factor, float(radius_attenuation_error()) + kHalfError)
+        << part;
+  }
 }
 
 TEST(PovrayLights, AttenuationByRadiusEnds) {
@@ -217,8 +231,9 @@ TEST(PovrayLights, AttenuationByRadiusEnds) {
   for (const int x : {0, 8, 16, 24, 32}) {
     const glm::vec3 p = wall_point(x, 10);
     const float factor = attenuation_factor(light.attenuation, glm::length(light.position - p));
-    EXPECT_NEAR(image.pixel(x, 10)[0], 1.5f * lambert(light, p) * factor, 0.007f)
-        << x;  // half a level, times 1.5
+    EXPECT_NEAR(image.pixel(x, 10)[0], light.power * lambert(light, p) * factor,
+                light.power * float(radius_attenuation_error()) + kHalfError)
+        << x;
   }
 }
 

@@ -2,12 +2,14 @@
 
 #include <cstdlib>
 
+#include <fmt/format.h>
 #include <glm/ext/matrix_transform.hpp>
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 
 #include "base/error.h"
 #include "pov_test_scenes.h"
+#include "povexport/pov_lights.h"
 #include "scene/motion.h"
 
 namespace lightbench {
@@ -132,7 +134,10 @@ TEST(PovScene, TheErrorOfAnAttenuationByRadiusIsTold) {
   scene.lights[0] = Light();
   scene.lights[0].name = "torch";
   scene.lights[0].attenuation.kind = Attenuation::Kind::radius;
-  EXPECT_THAT(pov_assets(scene).warnings, testing::ElementsAre(AllOf(HasSubstr("torch"), HasSubstr("0.4"))));
+  EXPECT_THAT(
+      pov_assets(scene).warnings,
+      testing::ElementsAre(AllOf(
+          HasSubstr("torch"), HasSubstr(fmt::format("up to {:.2f} %", 100 * radius_attenuation_error())))));
 }
 
 TEST(PovScene, NearAndFarAreWarnedAbout) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/light_points.h"
+#include "tests/radius_attenuation.h"
 #include "tests/renderer/render_scene.h"
 
 namespace lightbench {
@@ -99,10 +100,18 @@ TEST(GlDirect, InverseSquareAttenuation) {
 }
 
 TEST(GlDirect, RadiusAttenuation) {
-  expect_attenuation({.kind = Attenuation::Kind::radius, .radius = 2.5f}, [](float d) {
-    const float rest = std::max(0.0f, 1 - d / 2.5f);
-    return rest * rest;
-  });
+  expect_attenuation({.kind = Attenuation::Kind::radius, .radius = 2.5f},
+                     [](float d) { return std::max(0.0f, 1 - d * d / (2.5f * 2.5f)); });
+}
+
+TEST(GlDirect, RadiusAttenuationAtKnownDistances) {
+  const View view = top_view(3);
+  Scene scene = floor_scene();
+  scene.lights = {point_light(floor_point(view, kWidth, kHeight, 32, 24) + glm::vec3(0, 2, 0))};
+  for (const auto& [part, factor] : test::kRadiusFactors) {
+    scene.lights[0].attenuation = {.kind = Attenuation::Kind::radius, .radius = test::radius_for(2, part)};
+    EXPECT_NEAR(red_at(render(scene, view).image, 32, 24), 0.5f * factor, kRelative * 0.5f) << part;
+  }
 }
 
 TEST(GlDirect, ASpotFallsOffSmoothlyInTheCosine) {

@@ -6,6 +6,7 @@
 
 #include "renderer/path_tracer.h"
 #include "renderer/rays.h"
+#include "tests/radius_attenuation.h"
 #include "tests/renderer/path_traced.h"
 #include "tests/renderer/render_scene.h"
 #include "tests/renderer/room_scenes.h"
@@ -17,14 +18,27 @@ namespace {
 using test::add_quad;
 using test::box_scene;
 using test::directional_light;
+using test::floor_point;
 using test::floor_scene;
 using test::inside_view;
 using test::matte;
 using test::mean_of;
+using test::point_light;
 using test::room;
 using test::top_view;
 using test::traced;
 using test::with_bounces;
+
+TEST(PathTracer, RadiusAttenuationAtKnownDistances) {
+  const View view = top_view(3);
+  Scene scene = floor_scene();
+  scene.lights = {point_light(floor_point(view, 16, 12, 8, 6) + glm::vec3(0, 2, 0))};
+  for (const auto& [part, factor] : test::kRadiusFactors) {
+    scene.lights[0].attenuation = {.kind = Attenuation::Kind::radius, .radius = test::radius_for(2, part)};
+    EXPECT_NEAR(traced(scene, view, with_bounces(0, 2)).pixel(8, 6)[0], 0.5f * factor, 1e-6f)
+        << part << "; floats";
+  }
+}
 
 TEST(PathTracer, AnEmittingFurnaceIsAGeometricSeries) {
   Material material = matte(glm::vec3(0.5f));

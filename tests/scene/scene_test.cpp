@@ -11,6 +11,7 @@
 
 #include "scene/box_mesh.h"
 #include "scene/nearest_surface.h"
+#include "tests/radius_attenuation.h"
 
 namespace lightbench {
 namespace {
@@ -50,11 +51,10 @@ TEST(Attenuation, InverseSquareQuartersWhenTheDistanceDoubles) {
   EXPECT_FLOAT_EQ(attenuation_factor(square, 2.0f), 0.25f);
 }
 
-TEST(Attenuation, RadiusEndsAtTheRadius) {
+TEST(Attenuation, RadiusFallsWithTheSquareAndEndsAtTheRadius) {
   const Attenuation radius{Attenuation::Kind::radius, 1, 2, 4.0f};
-  EXPECT_FLOAT_EQ(attenuation_factor(radius, 1.0f), 0.5625f);
-  EXPECT_EQ(attenuation_factor(radius, 4.0f), 0.0f);
-  EXPECT_EQ(attenuation_factor(radius, 40.0f), 0.0f);
+  for (const auto& [part, factor] : test::kRadiusFactors)
+    EXPECT_EQ(attenuation_factor(radius, part * 4.0f), factor) << part << "; exact in binary";
 }
 
 TEST(CameraFrame, LooksAlongMinusZWithXToTheRight) {
