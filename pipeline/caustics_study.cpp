@@ -149,7 +149,8 @@ class Study {
                                  differing_texels(drawn.flux, first), drawn.texture_bytes,
                                  whole_flux(field, drawn.box) / sent});
     }
-    figures.methods.push_back({"rays", {1, 1}, 0, 0, whole_flux(truth, map.box) / sent});
+    figures.methods.push_back(
+        {"rays", compare_flux(truth, truth, most), 0, 0, whole_flux(truth, map.box) / sent});
     if (options_.povray) {
       progress_(fmt::format("{}: {}, POV-Ray", scene_.name, figures.receiver));
       Scene alone = scene_;
