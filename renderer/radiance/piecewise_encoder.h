@@ -9,10 +9,15 @@ namespace lightbench {
 enum class SampleRule {
   /// From each kept sample to the farthest layer that a line can reach with every error below the threshold.
   greedy,
-  /// As printed in the thesis (7.2.4): a layer is kept where the step from it to the next, compared with the
+  /// The thesis's (7.2.4), mended: a layer is kept where the step from it to the next, compared with the
   /// first step after the last kept sample, differs by the threshold or more in the sum over the components,
   /// differs by half of the threshold or more in one, or goes the other way in one; a step
   /// of 0 goes either way. Nothing bounds the error but at thresholds 0 and 1.
+  ///
+  /// The pseudo code there keeps the layer behind the bend, so that the line to it misses the bend and
+  /// threshold 0 is not lossless, as the thesis says that it is; it compares differences with their signs,
+  /// counts steps of 0 as a change of sign and ends without the last layer. The text beside it speaks of
+  /// acceleration and deceleration alike.
   paper
 };
 

@@ -11,12 +11,13 @@ namespace {
 
 using Values = std::map<std::string, ParamValue>;
 
-/// The thesis's equations and constants; it does not say where the samples lie.
+/// The thesis's equations and constants. It does not say where the samples lie, how wide the blur is and what
+/// epsilon is.
 Values paper_values() {
   return {{"weighting", "paper"}, {"source", "albedo"},       {"radius", 0.5},         {"spread", 0.5},
           {"rotation", "none"},   {"form_factor_limit", 1e6}, {"energy_bound", false}, {"background", false},
           {"blur_radius", 4LL},   {"blur", "gaussian"},       {"k_isr", 0.5},          {"k_ssao", 0.5},
-          {"normals", "rgb8"}};
+          {"normals", "rgb8"},    {"downsampling", "mean"},   {"upsampling", "depth"}};
 }
 
 Values with(Values values, const Values& more) {
@@ -111,17 +112,26 @@ std::vector<ParamSpec> isr_params() {
                     "gather the scene's background where samples land on it, if it lights: each share is a "
                     "piece of the surrounding sphere as the camera sees it"),
       integer_param("resolution", 2, 1, 8, "pixels along the edge of a coarse pixel"),
+      choice_param("downsampling", {"point", "mean"},
+                   "what a coarse pixel's depth and normal are: point: those of one of its pixels, the "
+                   "nearest to the middle that shows an object, since a mean lies on no surface; mean: those "
+                   "of all of its pixels averaged, as in the thesis; colours are averaged either way"),
       choice_param("blur", {"bilateral", "gaussian", "none"}, "of the gathered light, separable"),
       integer_param("blur_radius", 6, 1, 32,
                     "coarse pixels to each side; sigma is half of it and a half more"),
       number_param("blur_plane", 0.02, 1e-5, 10.0,
                    "bilateral blur: distance from the tangent plane, as a share of the depth, at which a "
                    "weight is 1/e"),
+      choice_param("upsampling", {"plane", "depth"},
+                   "what a pixel takes of the four coarse pixels around it: plane: less the farther they are "
+                   "from its tangent plane, and nothing beyond `upsample_tolerance`; depth: eq. 27, less the "
+                   "more their depth differs, without a limit"),
       number_param("upsample_epsilon", 0.01, 1e-6, 10.0,
                    "added to the difference in depth, as a share of the depth, that weights are divided by"),
       number_param(
           "upsample_tolerance", 0.1, 1e-6, 1e6,
-          "share of the depth by which a coarse pixel may differ; where none fits, the nearest counts"),
+          "upsampling plane: share of the depth by which a coarse pixel may differ; where none fits, "
+          "the nearest counts"),
       number_param("occlusion_radius", 0.02, 0.001, 4.0,
                    "of the kernel of eq. 26, the ambient occlusion, in widths of the image"),
       number_param("occluder_radius", 2.0, 0.01, 1000.0,
@@ -183,7 +193,8 @@ std::vector<ParamPreset> isr_presets() {
 
 std::vector<std::string> isr_defines(const ParamValues& params) {
   std::vector<std::string> defines;
-  for (const char* name : {"weighting", "source", "rotation", "form_factor", "blur"}) {
+  for (const char* name :
+       {"weighting", "source", "rotation", "form_factor", "downsampling", "blur", "upsampling"}) {
     std::string define = std::string(name) + "_" + params.text(name);
     std::transform(define.begin(), define.end(), define.begin(),
                    [](unsigned char c) { return std::toupper(c); });

@@ -11,6 +11,15 @@ const float kNoPatch = -1.0;
 // The pixel of a block, counted from its first one, that stands for it where it shows an object.
 ivec2 middle_of(int block) { return ivec2((block - 1) / 2); }
 
+// Where in the block, in pixels from its first one's centre, the patch lies that stands for it.
+vec2 patch_place(int block) {
+#ifdef DOWNSAMPLING_MEAN
+  return vec2(0.5 * float(block - 1));
+#else
+  return vec2(middle_of(block));
+#endif
+}
+
 // Two times 12 bits are a whole number that a float holds exactly; so are the axes.
 float pack_normal(vec3 n) {
   n /= abs(n.x) + abs(n.y) + abs(n.z);

@@ -1,5 +1,6 @@
-// Reduces blocks of pixels to patches: radiance is averaged over the pixels that show an object, position and normals
-// are those of one such pixel nearest the block's middle, since a mean would lie on no surface.
+// Reduces blocks of pixels to patches. Radiance is averaged over the pixels that show an object. Position and normals are
+// those of one such pixel nearest the block's middle, since a mean would lie on no surface; with DOWNSAMPLING_MEAN depth,
+// normals and mask are averaged too (image-space radiosity thesis, section 4.2).
 #include "shaders/gbuffer.glsl"
 #include "techniques/isr/coarse.glsl"
 
@@ -26,6 +27,35 @@ vec3 radiance(ivec2 pixel) {
 #endif
 }
 
+struct Surface {
+  float z;  // in units of the far plane
+  vec3 normal;
+  vec3 geometric_normal;
+  float mask;  // of what it reflects
+};
+
+Surface surface_at(ivec2 pixel) {
+  return Surface(gbuffer_z(pixel), gbuffer_normal(pixel), gbuffer_geometric_normal(pixel),
+                 texelFetch(gbuffer_albedo, pixel, 0).a);
+}
+
+#ifdef DOWNSAMPLING_MEAN
+void add(Surface s, inout Surface sum) {
+  sum.z += s.z;
+  sum.normal += s.normal;
+  sum.geometric_normal += s.geometric_normal;
+  sum.mask += s.mask;
+}
+
+// Of unit length. Opposite normals have no mean: then it is that of one pixel.
+vec3 mean_normal(vec3 sum, vec3 one) { return dot(sum, sum) > 1e-6 ? normalize(sum) : one; }
+
+Surface mean_surface(Surface sum, float count, Surface one) {
+  return Surface(sum.z / count, mean_normal(sum.normal, one.normal),
+                 mean_normal(sum.geometric_normal, one.geometric_normal), sum.mask / count);
+}
+#endif
+
 void main() {
   ivec2 origin = ivec2(gl_FragCoord.xy) * block;
   ivec2 end = min(origin + block, ivec2(frame_size.xy));
@@ -34,6 +64,9 @@ void main() {
   int nearest = 1 << 20;
   vec3 sum = vec3(0.0);
   float count = 0.0;
+#ifdef DOWNSAMPLING_MEAN
+  Surface surface_sum = Surface(0.0, vec3(0.0), vec3(0.0), 0.0);
+#endif
   for (int y = origin.y; y < end.y; ++y) {
     for (int x = origin.x; x < end.x; ++x) {
       ivec2 pixel = ivec2(x, y);
@@ -46,6 +79,9 @@ void main() {
       }
       sum += radiance(pixel);
       count += 1.0;
+#ifdef DOWNSAMPLING_MEAN
+      add(surface_at(pixel), surface_sum);
+#endif
     }
   }
   patch_out = vec4(0.0, 0.0, 0.0, kNoPatch);
@@ -54,17 +90,21 @@ void main() {
   depth_out = 0.0;
   if (count == 0.0) return;
 
-  vec2 uv = (vec2(chosen) + 0.5) * frame_size.zw;
-  depth_out = gbuffer_z(chosen) * camera_position.w;
-  vec3 position = unit_ray(uv) * depth_out;
-  vec3 shading_normal = gbuffer_normal(chosen);
-  normal_out = encode_octahedral(shading_normal);
+  Surface surface = surface_at(chosen);
+  vec2 place = vec2(chosen);
+#ifdef DOWNSAMPLING_MEAN
+  surface = mean_surface(surface_sum, count, surface);
+  place = vec2(origin) + patch_place(block);
+#endif
+  depth_out = surface.z * camera_position.w;
+  vec3 position = unit_ray((place + 0.5) * frame_size.zw) * depth_out;
+  normal_out = encode_octahedral(surface.normal);
 #ifdef WEIGHTING_PAPER
-  vec3 normal = shading_normal;
-  float factor = texelFetch(gbuffer_albedo, chosen, 0).a;  // the radiation mask
+  vec3 normal = surface.normal;
+  float factor = surface.mask;
 #else
   // By how much the surface seen through the block is larger than the block at its depth.
-  vec3 normal = gbuffer_geometric_normal(chosen);
+  vec3 normal = surface.geometric_normal;
   float view_cosine = max(-dot(normal, position) / eye_z(position), min_view_cosine);
   float factor = count / (float(block * block) * view_cosine);
 #endif
