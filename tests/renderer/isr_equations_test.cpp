@@ -20,14 +20,14 @@ constexpr double kHalves =
 constexpr float kFloorAlbedo = 0.8f;
 constexpr float kWallAlbedo = 0.5f;
 
-Scene floor_and_wall(float floor_mask, float wall_mask) {
+Scene floor_and_wall(float floor_mask, float wall_mask, float floor_front = 1, float wall_z = -2) {
   Scene scene;
   scene.name = "floor_and_wall";
   scene.materials = {matte(glm::vec3(kFloorAlbedo)), matte(glm::vec3(kWallAlbedo))};
   scene.materials[0].reflectance = floor_mask;
   scene.materials[1].reflectance = wall_mask;
-  add_quad(scene, {-10, -1, 1}, {20, 0, 0}, {0, 0, -3}, 0);
-  add_quad(scene, {-10, -1, -2}, {20, 0, 0}, {0, 20, 0}, 1);
+  add_quad(scene, {-10, -1, floor_front}, {20, 0, 0}, {0, 0, wall_z - floor_front}, 0);
+  add_quad(scene, {-10, -1, wall_z}, {20, 0, 0}, {0, 20, 0}, 1);
   return scene;
 }
 
@@ -109,9 +109,9 @@ TEST(GlIsrEquations, Eq29DarkensDirectLight) {
 //   X = (-2, 0, -2): PX = (-14, 16, -14) / 15, r^2 = 648/225: F pi = (224/225) 4 / (648/225)^2 = 0.48011
 // L = (2/8) (0.40218 + 0.48011) * 0.5 = 0.11029.
 //
-// The lowest, leftmost pixel but one lies a quarter of a coarse pixel left of the middle of the picture's
-// second coarse pixel and a quarter below its row; beyond the picture's edge its own row goes on. So it takes
-// 1/4 of the left and 3/4 of the middle one: 0.14076.
+// The pixel (2, 5) lies a quarter of a coarse pixel left of the middle one's centre and a quarter below;
+// beyond the picture's edge the lowest row goes on. So it takes 1/4 of the left and 3/4 of the middle one:
+// 0.14076.
 TEST(GlIsrEquations, DepthsAreAveragedAndReachTheirPixelsBilinearly) {
   const FrameResult result = render_printed(floor_and_wall(1, 0), printed({{"resolution", 2LL}}), 6);
   EXPECT_NEAR(result.buffers.at("indirect").pixel(2, 5)[0], 0.14076, kHalves * 0.14076);
@@ -133,14 +133,14 @@ TEST(GlIsrEquations, DepthsAreAveragedAndReachTheirPixelsBilinearly) {
 //   floor: w^z = 1 / (1/15 + 4/15) = 3;       w^b = 9/16, 3/16: w' = 1.68750, 0.56250
 //   wall:  w^z = 1 / (1/15 + 10/15) = 15/11;  w^b = 3/16, 1/16: w' = 0.25568, 0.08523
 // Their sum is 2.59091, so L = (0.25568 * 0.10190 + 0.08523 * 0.03359) / 2.59091 = 0.011161.
-Params half_size(const Params& more) {
+Params half_size(const Params& more = {}) {
   Params params = printed({{"resolution", 2LL}, {"upsample_epsilon", 0.05}});
   for (const auto& [name, value] : more) params[name] = value;
   return params;
 }
 
 TEST(GlIsrEquations, Eq27And28WeighByDepth) {
-  const FrameResult result = render_printed(floor_and_wall(0, 1), half_size({}), 6);
+  const FrameResult result = render_printed(floor_and_wall(0, 1), half_size(), 6);
   EXPECT_NEAR(result.buffers.at("indirect").pixel(3, 4)[0], 0.011161, kHalves * 0.011161);
 }
 
@@ -150,27 +150,37 @@ TEST(GlIsrEquations, WeightsByPlaneTakeNothingOfTheWall) {
   EXPECT_EQ(result.buffers.at("indirect").pixel(3, 4)[0], 0);
 }
 
-// Only the upper pixels of the lowest row of blocks show an object, at depth 4/3: the mean is of what is
-// there.
+// The floor begins at z = -1: of the lowest coarse pixels only the upper pixels show it, at depth 4/3.
+//   P = (0, -4/3, -4/3): X = (0, 0, -2): PX = (0, 4, -2) / 3, r^2 = 20/9: F pi = (8/9) 4 / (20/9)^2 = 0.72
+//                        X = (+-2, 0, -2): PX = (+-6, 4, -2) / 3, r^2 = 56/9: F pi = (8/9) 4 / (56/9)^2 =
+//                        0.091837 L = (2/8) (0.72 + 2 * 0.091837) * 0.5 = 0.112959
+//   P = (-4/3, -4/3, -4/3): X = (0, 0, -2): PX = (4, 4, -2) / 3, r^2 = 4: F pi = (8/9) 4 / 4^2 = 0.222222
+//                           X = (-2, 0, -2): PX = (-2, 4, -2) / 3, r^2 = 24/9: F pi = (8/9) 4 / (24/9)^2 =
+//                           0.5 L = (2/8) (0.222222 + 0.5) * 0.5 = 0.090278
+// The wall has a mask of 0 and gets nothing. The pixel (2, 4) has the depth of the floor's coarse pixels, so
+// that their w^z are 1/epsilon = 15; the wall's are 15/11. Its w' are 15 (9/16) and 15 (3/16) for the floor,
+// 15/11 (3/16) and 15/11 (1/16) for the wall, in all 11.59091: L = (8.4375 * 0.112959 + 2.8125 * 0.090278)
+// / 11.59091 = 0.104132.
 TEST(GlIsrEquations, TheBackgroundHasNoShareInTheMean) {
-  Scene scene = floor_and_wall(1, 0);
-  scene.entities.erase(scene.entities.begin());
-  scene.meshes.erase(scene.meshes.begin());
-  scene.entities[0].mesh = 0;
-  add_quad(scene, {-10, -1, -1}, {20, 0, 0}, {0, 0, -1}, 0);
-  // P = (0, -4/3, -4/3). X = (0, 0, -2): PX = (0, 4, -2) / 3, r^2 = 20/9: F pi = (8/9) 4 / (20/9)^2 = 0.72
-  //                      X = (+-2, 0, -2): PX = (+-6, 4, -2) / 3, r^2 = 56/9: F pi = (8/9) 4 / (56/9)^2 =
-  //                      0.091837
-  // L = (2/8) (0.72 + 2 * 0.091837) * 0.5 = 0.112959. A coarse pixel to the left, P = (-4/3, -4/3, -4/3):
-  //                      X = (0, 0, -2): PX = (4, 4, -2) / 3, r^2 = 4: F pi = (8/9) 4 / 16 = 0.222222
-  //                      X = (-2, 0, -2): PX = (-2, 4, -2) / 3, r^2 = 24/9: F pi = (8/9) 4 / (24/9)^2 = 0.5
-  // L = (2/8) (0.222222 + 0.5) * 0.5 = 0.090278. The wall has a mask of 0 and gets nothing.
-  //
-  // The pixel (2, 4) has the depth of both, so that its w^z are alike: 1/epsilon = 15, and 15/11 for the wall
-  // above it. Its w' are 15 (9/16) and 15 (3/16), and 15/11 (3/16) and 15/11 (1/16) for the wall, in
-  // all 11.59091: L = (8.4375 * 0.112959 + 2.8125 * 0.090278) / 11.59091 = 0.104132.
-  const FrameResult result = render_printed(scene, half_size({}), 6);
+  const FrameResult result = render_printed(floor_and_wall(1, 0, -1), half_size(), 6);
   EXPECT_NEAR(result.buffers.at("indirect").pixel(2, 4)[0], 0.104132, kHalves * 0.104132);
+}
+
+// The wall stands at z = -1, so that the lowest coarse pixels are half floor, at depth 0.8, and half wall, at
+// depth 1. Their patches lie at (x, -1, -1) * 0.9 with the normal (0, 1, 1) / sqrt(2) and the mask (0.4 + 1)
+// / 2 = 0.7. The wall's patches above them have the area 1.
+//   P = (0, -0.9, -0.9): X = (0, 0, -1): PX = (0, 0.9, -0.1), r^2 = 0.82: F pi = (0.8 / sqrt(2)) 0.1 / 0.82^2
+//   = 0.084129
+//                        X = (+-1, 0, -1): r^2 = 1.82: F pi = 0.0565685 / 1.82^2 = 0.017078
+//                        L = 0.7 (2/8) (0.084129 + 2 * 0.017078) * 0.5 = 0.010350
+//   P = (0.9, -0.9, -0.9): X = (0, 0, -1): PX = (-0.9, 0.9, -0.1), r^2 = 1.63: F pi = 0.0565685 / 1.63^2 =
+//   0.021291
+//                          X = (1, 0, -1): PX = (0.1, 0.9, -0.1), r^2 = 0.83: F pi = 0.0565685 / 0.83^2 =
+//                          0.082114 L = 0.7 (2/8) (0.021291 + 0.082114) * 0.5 = 0.009048
+// The pixel (3, 5) takes 3/4 of the first and 1/4 of the second.
+TEST(GlIsrEquations, NormalsAndMasksAreAveraged) {
+  const FrameResult result = render_printed(floor_and_wall(0.4f, 1, 1, -1), half_size(), 6);
+  EXPECT_NEAR(result.buffers.at("indirect").pixel(3, 5)[0], 0.010024, kHalves * 0.010024);
 }
 
 }  // namespace

@@ -164,6 +164,17 @@ TEST(GlIsr, IsFiniteAndNotNegativeAtAnySize) {
     }
 }
 
+TEST(GlIsr, AveragedDepthsAndNormalsAreFiniteAtAnySize) {
+  const Scene scene = corner_scene();
+  for (const auto& [width, height] : {std::pair{1, 1}, {3, 5}, {37, 23}})
+    for (const long long resolution : {1, 2, 8}) {
+      const Params params{{"downsampling", "mean"}, {"upsampling", "depth"}, {"resolution", resolution}};
+      const Image indirect = render_isr(scene, corner_view(), params, width, height).buffers.at("indirect");
+      EXPECT_EQ(first_non_finite(indirect), -1) << width << "x" << height << " at " << resolution;
+      EXPECT_GE(*std::min_element(indirect.data.begin(), indirect.data.end()), 0);
+    }
+}
+
 TEST(GlIsr, EveryPresetRendersALitCorner) {
   const Technique technique = isr_technique();
   Renderer renderer(GlBackend::osmesa);
@@ -396,7 +407,8 @@ TEST(GlIsr, TimesEachPass) {
 TEST(Isr, DefinesFollowTheChoices) {
   const ParamValues params = resolve_params(isr_params(), isr_presets(), "paper", {}, "test");
   EXPECT_THAT(isr_defines(params),
-              ::testing::IsSupersetOf({"WEIGHTING_PAPER", "SOURCE_ALBEDO", "BLUR_GAUSSIAN"}));
+              ::testing::IsSupersetOf({"WEIGHTING_PAPER", "SOURCE_ALBEDO", "BLUR_GAUSSIAN",
+                                       "DOWNSAMPLING_MEAN", "UPSAMPLING_DEPTH"}));
 }
 
 TEST(Isr, PresetsOfTheThesisAreThere) {
