@@ -31,7 +31,7 @@ std::vector<ParamSpec> isr_params() {
   std::vector<ParamSpec> rows{
       choice_param("weighting", {"area", "paper"},
                    "area: each sample stands for the surface that its share of the kernel covers, and what "
-                   "is gathered is multiplied by the albedo at full resolution; paper: eq. 25 as printed, "
+                   "is gathered is multiplied by the albedo at full resolution; paper: eq. 25, "
                    "with one coarse pixel as patch"),
       choice_param(
           "source", {"lit", "diffuse", "albedo"},
@@ -182,7 +182,7 @@ std::vector<ParamPreset> isr_presets() {
       {"area-48", {{"samples", 48LL}}, "the same with 48 samples"},
       {"area-80", {{"samples", 80LL}}, "the same with 80 samples"},
       {"area-uniform", sparse, "samples uniform in area with bounded weights: the same sum, biased to dark"},
-      {"paper", with(paper, {{"samples", 48LL}}), "the equations of the thesis as printed, 48 samples"},
+      {"paper", with(paper, {{"samples", 48LL}}), "the equations of the thesis, 48 samples"},
       {"paper-24", with(paper, {{"samples", 24LL}}), "the same with 24 samples"},
       {"paper-48", with(paper, {{"samples", 48LL}}), "the same with 48 samples"},
       {"paper-80", with(paper, {{"samples", 80LL}}), "the same with 80 samples"},

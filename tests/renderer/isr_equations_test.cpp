@@ -120,8 +120,9 @@ TEST(GlIsrEquations, DepthsAreAveragedAndReachTheirPixelsBilinearly) {
 // The wall's coarse pixels are lit by the floor's:
 //   P = (0, 0, -2): X = ( 0, -16, -16) / 15: PX = (0, -16, 14) / 15, r^2 = 452/225:
 //                     F pi = (224/225) (256/225) / (452/225)^2 = 0.28068
-//                   X = (+-16, -16, -16) / 15: r^2 = 708/225: F pi = (224/225) (256/225) / (708/225)^2 =
-//                   0.11440 L = (2/8) (0.28068 + 2 * 0.11440) * 0.8 = 0.10190
+//                   X = (+-16, -16, -16) / 15: r^2 = 708/225:
+//                     F pi = (224/225) (256/225) / (708/225)^2 = 0.11440
+//                   L = (2/8) (0.28068 + 2 * 0.11440) * 0.8 = 0.10190
 //   P = (2, 0, -2): X = ( 0, -16, -16) / 15: PX = (-30, -16, 14) / 15, r^2 = 1352/225: F pi = 0.03137
 //                   X = (16, -16, -16) / 15: PX = (-14, -16, 14) / 15, r^2 = 648/225: F pi = 0.13656
 //                   L = (2/8) (0.03137 + 0.13656) * 0.8 = 0.03359
@@ -144,19 +145,21 @@ TEST(GlIsrEquations, Eq27And28WeighByDepth) {
   EXPECT_NEAR(result.buffers.at("indirect").pixel(3, 4)[0], 0.011161, kHalves * 0.011161);
 }
 
-// The wall is none of the floor's plane, so nothing of it reaches the floor.
+// The wall does not lie in the floor's plane, so nothing of it reaches the floor.
 TEST(GlIsrEquations, WeightsByPlaneTakeNothingOfTheWall) {
   const FrameResult result = render_printed(floor_and_wall(0, 1), half_size({{"upsampling", "plane"}}), 6);
   EXPECT_EQ(result.buffers.at("indirect").pixel(3, 4)[0], 0);
 }
 
 // The floor begins at z = -1: of the lowest coarse pixels only the upper pixels show it, at depth 4/3.
-//   P = (0, -4/3, -4/3): X = (0, 0, -2): PX = (0, 4, -2) / 3, r^2 = 20/9: F pi = (8/9) 4 / (20/9)^2 = 0.72
-//                        X = (+-2, 0, -2): PX = (+-6, 4, -2) / 3, r^2 = 56/9: F pi = (8/9) 4 / (56/9)^2 =
-//                        0.091837 L = (2/8) (0.72 + 2 * 0.091837) * 0.5 = 0.112959
-//   P = (-4/3, -4/3, -4/3): X = (0, 0, -2): PX = (4, 4, -2) / 3, r^2 = 4: F pi = (8/9) 4 / 4^2 = 0.222222
-//                           X = (-2, 0, -2): PX = (-2, 4, -2) / 3, r^2 = 24/9: F pi = (8/9) 4 / (24/9)^2 =
-//                           0.5 L = (2/8) (0.222222 + 0.5) * 0.5 = 0.090278
+//   P = (0, -4/3, -4/3):
+//     X = (0, 0, -2): PX = (0, 4, -2) / 3, r^2 = 20/9: F pi = (8/9) 4 / (20/9)^2 = 0.72
+//     X = (+-2, 0, -2): PX = (+-6, 4, -2) / 3, r^2 = 56/9: F pi = (8/9) 4 / (56/9)^2 = 0.091837
+//     L = (2/8) (0.72 + 2 * 0.091837) * 0.5 = 0.112959
+//   P = (-4/3, -4/3, -4/3):
+//     X = (0, 0, -2): PX = (4, 4, -2) / 3, r^2 = 4: F pi = (8/9) 4 / 4^2 = 0.222222
+//     X = (-2, 0, -2): PX = (-2, 4, -2) / 3, r^2 = 24/9: F pi = (8/9) 4 / (24/9)^2 = 0.5
+//     L = (2/8) (0.222222 + 0.5) * 0.5 = 0.090278
 // The wall has a mask of 0 and gets nothing. The pixel (2, 4) has the depth of the floor's coarse pixels, so
 // that their w^z are 1/epsilon = 15; the wall's are 15/11. Its w' are 15 (9/16) and 15 (3/16) for the floor,
 // 15/11 (3/16) and 15/11 (1/16) for the wall, in all 11.59091: L = (8.4375 * 0.112959 + 2.8125 * 0.090278)
@@ -169,14 +172,15 @@ TEST(GlIsrEquations, TheBackgroundHasNoShareInTheMean) {
 // The wall stands at z = -1, so that the lowest coarse pixels are half floor, at depth 0.8, and half wall, at
 // depth 1. Their patches lie at (x, -1, -1) * 0.9 with the normal (0, 1, 1) / sqrt(2) and the mask (0.4 + 1)
 // / 2 = 0.7. The wall's patches above them have the area 1.
-//   P = (0, -0.9, -0.9): X = (0, 0, -1): PX = (0, 0.9, -0.1), r^2 = 0.82: F pi = (0.8 / sqrt(2)) 0.1 / 0.82^2
-//   = 0.084129
-//                        X = (+-1, 0, -1): r^2 = 1.82: F pi = 0.0565685 / 1.82^2 = 0.017078
-//                        L = 0.7 (2/8) (0.084129 + 2 * 0.017078) * 0.5 = 0.010350
-//   P = (0.9, -0.9, -0.9): X = (0, 0, -1): PX = (-0.9, 0.9, -0.1), r^2 = 1.63: F pi = 0.0565685 / 1.63^2 =
-//   0.021291
-//                          X = (1, 0, -1): PX = (0.1, 0.9, -0.1), r^2 = 0.83: F pi = 0.0565685 / 0.83^2 =
-//                          0.082114 L = 0.7 (2/8) (0.021291 + 0.082114) * 0.5 = 0.009048
+//   P = (0, -0.9, -0.9):
+//     X = (0, 0, -1): PX = (0, 0.9, -0.1), r^2 = 0.82:
+//       F pi = (0.8 / sqrt(2)) 0.1 / 0.82^2 = 0.0565685 / 0.82^2 = 0.084129
+//     X = (+-1, 0, -1): PX = (+-1, 0.9, -0.1), r^2 = 1.82: F pi = 0.0565685 / 1.82^2 = 0.017078
+//     L = 0.7 (2/8) (0.084129 + 2 * 0.017078) * 0.5 = 0.010350
+//   P = (0.9, -0.9, -0.9):
+//     X = (0, 0, -1): PX = (-0.9, 0.9, -0.1), r^2 = 1.63: F pi = 0.0565685 / 1.63^2 = 0.021291
+//     X = (1, 0, -1): PX = (0.1, 0.9, -0.1), r^2 = 0.83: F pi = 0.0565685 / 0.83^2 = 0.082114
+//     L = 0.7 (2/8) (0.021291 + 0.082114) * 0.5 = 0.009048
 // The pixel (3, 5) takes 3/4 of the first and 1/4 of the second.
 TEST(GlIsrEquations, NormalsAndMasksAreAveraged) {
   const FrameResult result = render_printed(floor_and_wall(0.4f, 1, 1, -1), half_size(), 6);
