@@ -15,9 +15,8 @@ enum class SampleRule {
   /// of 0 goes either way. Nothing bounds the error but at thresholds 0 and 1.
   ///
   /// The pseudo code there keeps the layer behind the bend, so that the line to it misses the bend and
-  /// threshold 0 is not lossless, as the thesis says that it is; it compares differences with their signs,
-  /// counts steps of 0 as a change of sign and ends without the last layer. The text beside it speaks of
-  /// acceleration and deceleration alike.
+  /// threshold 0 is not lossless, which the thesis says that it is. It compares differences with their signs,
+  /// where the text beside it means rising and falling slopes alike, and it ends without the last layer.
   paper
 };
 
