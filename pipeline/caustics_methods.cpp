@@ -1,5 +1,7 @@
 #include "pipeline/caustics_methods.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "renderer/caustics/water_light.h"
 #include "renderer/technique.h"
@@ -19,6 +21,20 @@ const std::vector<CausticsMethodRow>& caustics_methods() {
       {"hit, no split", {{"method", "hit"}, {"straddling", "drop"}}, false},
   };
   return rows;
+}
+
+std::vector<std::string> caustics_method_names() {
+  std::vector<std::string> names;
+  for (const CausticsMethodRow& method : caustics_methods()) names.emplace_back(method.name);
+  return names;
+}
+
+std::vector<CausticsMethodRow> chosen_caustics_methods(const std::vector<std::string>& names) {
+  std::vector<CausticsMethodRow> methods;
+  for (const CausticsMethodRow& method : caustics_methods())
+    if (names.empty() || std::find(names.begin(), names.end(), method.name) != names.end())
+      methods.push_back(method);
+  return methods;
 }
 
 void require_lit_water(const Scene& scene) {

@@ -18,6 +18,12 @@ struct CausticsMethodRow {
 
 const std::vector<CausticsMethodRow>& caustics_methods();
 
+/// The names of all rows.
+std::vector<std::string> caustics_method_names();
+
+/// The rows of these names, in the order of the table; all for none.
+std::vector<CausticsMethodRow> chosen_caustics_methods(const std::vector<std::string>& names);
+
 /// Throws Error for a scene without water and for lights that cannot shine through it.
 void require_lit_water(const Scene& scene);
 

@@ -133,7 +133,7 @@ class Study {
     figures.light = light.name;
     figures.texels = std::size_t(std::count(truth.counts.begin(), truth.counts.end(), true));
     Image first;
-    for (const CausticsMethodRow& method : caustics_methods()) {
+    for (const CausticsMethodRow& method : chosen_caustics_methods(options_.methods)) {
       progress_(fmt::format("{}: {}, {}", scene_.name, figures.receiver, method.name));
       const CausticsMap drawn = gl_.draw(entity, light, method_params(method, options_.maps));
       const FluxField field = flux_field(drawn.flux);

@@ -16,6 +16,7 @@ namespace lightbench {
 struct CausticsStudyOptions {
   std::int64_t rays = 40'000'000;  ///< of the light tracer, for each light
   MapSettings maps;
+  std::vector<std::string> methods;  ///< names of rows of caustics_methods(); none: all
   double most = 8;      ///< flat water's light: both sides are clipped at so much
   bool povray = false;  ///< POV-Ray's photons, too
   /// Between photons at the water's level, as a share of the water's longer side. POV-Ray gathers 20 to 100

@@ -12,17 +12,6 @@
 namespace lightbench {
 namespace {
 
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::vector<CausticsMethodRow> chosen_methods(const SlicingStudyOptions& options) {
-  std::vector<CausticsMethodRow> methods;
-  for (const CausticsMethodRow& method : caustics_methods())
-    if (options.methods.empty() || contains(options.methods, method.name)) methods.push_back(method);
-  return methods;
-}
-
 double seconds_of(const CausticsMap& map) {
   return map.position_seconds + map.seconds;
 }
@@ -30,7 +19,7 @@ double seconds_of(const CausticsMap& map) {
 /// Fills `receiver` by one number of planes more.
 void add_times(CausticsMaps& maps, std::size_t entity, const Light& light, int planes,
                const SlicingStudyOptions& options, SlicedReceiver& receiver) {
-  const std::vector<CausticsMethodRow> methods = chosen_methods(options);
+  const std::vector<CausticsMethodRow> methods = chosen_caustics_methods(options.methods);
   std::vector<ParamValues> params;
   for (const CausticsMethodRow& method : methods)
     params.push_back(method_params(method, {options.map_size, planes - 1, options.layers}));
@@ -68,7 +57,7 @@ std::vector<SlicedReceiver> study_slicing(const Scene& scene, const SlicingStudy
     for (std::size_t entity = 0; entity < scene.entities.size(); ++entity) {
       const std::string& name = scene.entities[entity].name;
       if (entity_bounds(scene, entity).empty()) continue;
-      if (contains(options.without, name)) continue;
+      if (std::find(options.without.begin(), options.without.end(), name) != options.without.end()) continue;
       SlicedReceiver receiver{scene.name, name, light.name, {}, {}};
       for (const int planes : options.planes) {
         progress(fmt::format("{}: {}, {} planes", scene.name, name, planes));

@@ -8,6 +8,7 @@
 #include "pipeline/caustics_study.h"
 #include "pipeline/commands/commands.h"
 #include "pipeline/commands/number_range.h"
+#include "pipeline/commands/usage_errors.h"
 #include "pipeline/console.h"
 #include "pipeline/snapshot.h"
 #include "scene/scene_file.h"
@@ -68,6 +69,10 @@ void add_caustics_command(CLI::App& app, Action& action) {
                    "Of the position map: with 2, edges stop light that is bent aside")
       ->check(number_between(1, 2))
       ->capture_default_str();
+  const std::vector<std::string> names = caustics_method_names();
+  command->add_option("--methods", options.methods, "Only these; default: all")
+      ->check(one_of(names))
+      ->expected(1, int(names.size()));
   command->add_option("--most", options.most, "Flat water's light: brighter texels count as so bright")
       ->check(number_between(0.01, 1e6))
       ->capture_default_str();

@@ -90,8 +90,7 @@ void add_slicing_command(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->capture_default_str();
-  std::vector<std::string> names;
-  for (const CausticsMethodRow& method : caustics_methods()) names.emplace_back(method.name);
+  const std::vector<std::string> names = caustics_method_names();
   command->add_option("--methods", options.methods, "Only these; default: all")
       ->check(one_of(names))
       ->expected(1, int(names.size()));
