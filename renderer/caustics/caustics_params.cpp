@@ -20,8 +20,8 @@ std::vector<ParamSpec> caustics_params() {
           "slicing", {"local", "smart", "smart_read_back", "uniform"},
           "level_map: which planes the water's triangles are cut by: local: each by those that the receiver "
           "lies on where the triangle's light passes; smart: all by those that the receiver lies on "
-          "anywhere, found on the GPU; smart_read_back: the same, found from the position map read back, as "
-          "in the thesis; uniform: all by all. The picture is the same"),
+          "anywhere, found on the GPU; smart_read_back: the same, found from the position map read "
+          "back; uniform: all by all. The picture is the same"),
       choice_param(
           "plane_test", {"equal", "discard"},
           "how a texel's plane is told: equal: by a depth buffer that holds the planes; discard: in the "

@@ -17,7 +17,7 @@ enum class PlaneTest {
 enum class Slicing {
   local,            ///< each by those that the receiver lies on where its light passes (volume_cuts.h)
   smart,            ///< all by those that a texel of the position map belongs to, found on the GPU
-  smart_read_back,  ///< the same, found from the position map read back, as in the thesis
+  smart_read_back,  ///< the same, found from the position map read back
   uniform,          ///< all by all
 };
 
