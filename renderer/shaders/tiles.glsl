@@ -50,3 +50,9 @@ ivec2 tile_texel(vec3 direction) {
   float edge = tiles[tile].across.w;
   return ivec2(tiles[tile].corner.w, 0.0) + ivec2(min((place * 0.5 + 0.5) * edge, edge - 0.5));
 }
+
+// How wide a texel of the first layer is, at distance 1 along its tile's axis.
+float texel_width(ivec2 texel) {
+  vec4 across = tiles[float(texel.x) < tiles[0].across.w ? 0 : int(eye_right.w) - 1].across;
+  return length(across.xyz) / across.w;
+}

@@ -107,7 +107,22 @@ vec2 search_angle(float share) {
 }
 
 const int kJoinedLayers = 4;
-const vec3 kNoPiece = vec3(-1e30, 0.0, 0.0);
+
+// The last piece of a layer.
+struct Piece {
+  vec4 surfel;  // all 0: there is none
+  float place;  // where it ends
+};
+const Piece kNoPiece = Piece(vec4(0.0), 0.0);
+const float kSameDistance = 1e-3;  // as a share: what is nearer than that is no layer of its own either
+
+// Whether the planes of a piece and of the next one meet no farther from the border between their steps than an angle, whose
+// tangent is `reach`. `along` is across the border's ray, in the half-plane.
+bool meet(vec4 piece, vec4 next, vec3 border, vec3 along, float reach) {
+  if (!is_surface(piece)) return false;
+  vec3 nearer = next.w * piece.xyz - piece.w * next.xyz;  // times a ray: above 0 where the piece's plane is the nearer one
+  return abs(dot(nearer, border)) <= reach * abs(dot(nearer, along)) + kSameDistance * abs(piece.w * dot(next.xyz, border));
+}
 
 struct Receiver {
   float distance_;  // from the camera
@@ -145,15 +160,21 @@ Found search(Receiver r, int steps, vec3 across, Sectors sectors, float jitter, 
   float step_share = 1.0 / float(steps);
   vec2 before = vec2(1.0, 0.0);  // cosine and sine of T where the step begins
   vec3 ray_before = r.outward;
-  vec3 last[kJoinedLayers];  // of the pieces of the step before: where they end, by how much t changes, and their place
+  float reach_before = 0.0;  // from the middle of the step before to its end
+  Piece last[kJoinedLayers];  // of the step before
   for (int layer = 0; layer < kJoinedLayers; ++layer) last[layer] = kNoPiece;
   for (int i = 0; i <= steps; ++i) {
     float share = min((float(i) + jitter) * step_share, 1.0);
     vec2 after = search_angle(share);
     vec2 middle = search_angle(max(share - 0.5 * step_share, 0.5 * share));
-    ivec2 texel = tile_texel(middle.x * r.outward + middle.y * across);
+    vec3 ray_middle = middle.x * r.outward + middle.y * across;
+    ivec2 texel = tile_texel(ray_middle);
     if (texel.x < 0) break;
     vec3 ray_after = after.x * r.outward + after.y * across;
+    // An edge between what two steps find lies between their middles, give or take a texel.
+    vec3 along = before.x * across - before.y * r.outward;
+    float reach = max(length(ray_middle - ray_before), reach_before) + texel_width(texel);
+    vec2 nearer = vec2(0.0);  // how far the layer before reaches at the step's two borders
     for (int layer = 0; layer < layers; ++layer) {
       vec4 surfel = texelFetch(surfels, texel, 0);
       if (!is_surface(surfel)) {
@@ -173,19 +194,22 @@ Found search(Receiver r, int steps, vec3 across, Sectors sectors, float jitter, 
       float height = dot(surfel.xyz, r.outward) * r.distance_ - surfel.w;  // of the receiver over the plane, times z
       float t0 = clamp(surfel.w / min(dot(surfel.xyz, ray_before), -1e-5 * z), 0.5 * z, 2.0 * z);
       float t1 = clamp(surfel.w / min(dot(surfel.xyz, ray_after), -1e-5 * z), 0.5 * z, 2.0 * z);
+      // Planes that cross within the step do not go on through each other: a floor behind a wall ends at the wall.
+      t0 = max(t0, nearer.x);
+      t1 = max(t1, nearer.y);
+      nearer = vec2(t0, t1);
       // Along the way to the camera, and across it.
       vec2 end0 = vec2(r.distance_ - t0 * before.x, t0 * before.y);
       vec2 end1 = vec2(r.distance_ - t1 * after.x, t1 * after.y);
       float length1 = length(end1);
-      float change = abs(t1 - t0);
       if (abs(height) > (kOwnPlane * length1 + kRounding * r.distance_) * z) {
         vec2 d0 = end0 / max(length(end0), 1e-20);
         vec2 d1 = end1 / max(length1, 1e-20);
-        // Surfaces that meet in one of the two steps leave no gap between their pieces.
-        bool joined = layer < kJoinedLayers && abs(t0 - last[layer].x) <= last[layer].y + change;
-        float place0 = joined ? last[layer].z : place_of(sectors, d0.x, d0.y);
+        // Surfaces that meet where one step follows the other leave no gap between their pieces.
+        bool joined = layer < kJoinedLayers && meet(last[layer].surfel, surfel, ray_before, along, reach);
+        float place0 = joined ? last[layer].place : place_of(sectors, d0.x, d0.y);
         float place1 = place_of(sectors, d1.x, d1.y);
-        if (layer < kJoinedLayers) last[layer] = vec3(t1, change, place1);
+        if (layer < kJoinedLayers) last[layer] = Piece(surfel, place1);
         uint fresh = sector_mask(place0, place1, dither) & ~covered;
         if (fresh != 0u) {
           covered |= fresh;
@@ -209,12 +233,13 @@ Found search(Receiver r, int steps, vec3 across, Sectors sectors, float jitter, 
         covered |= sector_mask(min(min(place0, place1), min(place2, place3)), max(max(place0, place1), max(place2, place3)), dither);
 #endif
       } else if (layer < kJoinedLayers) {
-        last[layer] = vec3(t1, change, 1.0);  // the receiver's own plane is its horizon
+        last[layer] = Piece(surfel, 1.0);  // the receiver's own plane is its horizon
       }
       texel.y += rows;
     }
     if (covered == ~0u) break;
     before = after;
+    reach_before = length(ray_after - ray_middle);
     ray_before = ray_after;
   }
   float part = sectors.total / float(kSectors);
