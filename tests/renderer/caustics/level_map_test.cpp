@@ -186,9 +186,10 @@ TEST(GlLevelMap, ShowsWhatTheLightTracerShows) {
     const FluxField traced = flux_field(trace.maps[entity]);
     const FluxField drawn = flux_field(level_map(scene, entity, {}, {.size = 512}));
     const FluxLikeness likeness = compare_flux(drawn, traced, 8);
-    // The rest is the rays' noise, about sixteen of them on each texel.
-    EXPECT_GT(likeness.correlation, 0.97) << entity;
-    EXPECT_NEAR(likeness.energy.value(), 1, 0.005) << entity;
+    // On the floor light folds: where a triangle's image has next to no area, single texels take much of its
+    // light.
+    EXPECT_GT(likeness.correlation, entity == 0 ? 0.97 : 0.99) << entity;
+    EXPECT_NEAR(likeness.energy.value(), 1, entity == 0 ? 0.01 : 0.002) << entity;
   }
 }
 
