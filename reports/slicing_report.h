@@ -32,7 +32,7 @@ struct SlicedReceiver {
 struct SlicingReport {
   std::string renderer;  ///< of OpenGL
   int rounds = 0;
-  int layers = 1;  ///< of the position map
+  int layers = 2;  ///< of the position map
   std::vector<SlicedReceiver> receivers;
 };
 

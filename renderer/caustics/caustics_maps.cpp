@@ -7,7 +7,6 @@
 
 #include "base/stopwatch.h"
 #include "renderer/caustics/draw_caustics.h"
-#include "renderer/caustics/occluder_map.h"
 #include "renderer/caustics/water_shade.h"
 #include "renderer/frame_context.h"
 #include "renderer/gpu_scene.h"
@@ -56,19 +55,14 @@ CausticsMap CausticsMaps::draw(std::size_t receiver, const Light& light, const P
   const auto draw_places = [&] {
     return draw_receiver_map(frame, result.box, receiver, options.map_size, options.color);
   };
-  const auto draw_occluders = [&](const ReceiverMap& map) {
-    std::optional<OccluderMap> occluders;
-    if (options.layers > 1) occluders.emplace(frame, map, rays.most_step, options.hit.steps);
-    return occluders;
-  };
   // What the map before this one took is freed by what is drawn next.
-  draw_occluders(draw_places());
+  draw_occluders(frame, draw_places(), rays, options);
   forget_most_texture_memory();
   const std::size_t before = texture_memory().now;
   glFinish();
   Stopwatch watch;
   const ReceiverMap map = draw_places();
-  const std::optional<OccluderMap> occluders = draw_occluders(map);
+  const std::optional<OccluderMap> occluders = draw_occluders(frame, map, rays, options);
   glFinish();
   result.position_seconds = watch.seconds();
   watch = Stopwatch();

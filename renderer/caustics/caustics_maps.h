@@ -25,7 +25,7 @@ struct CausticsMap {
   std::size_t raised = 0;                    ///< fragments whose area was raised to the least
   std::size_t texture_bytes =
       0;  ///< the most that textures took at a time, for the position map and all after it
-  double position_seconds = 0;  ///< that the position map took
+  double position_seconds = 0;  ///< that the position map took, with its second layer
   double seconds = 0;           ///< that the map took after it
 };
 

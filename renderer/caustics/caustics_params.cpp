@@ -41,7 +41,8 @@ std::vector<ParamSpec> caustics_params() {
           "lies along the axis stops light"),
       integer_param(
           "steps", 16, 1, 1024,
-          "along a ray through the position map: hit, before ten bisections; and where layers is 2"),
+          "in how many a ray is followed through the position map at most: by hit to where it lands, before "
+          "ten bisections, and with two layers back towards the light"),
       number_param(
           "least_area", 1.0 / 256, 0, 16,
           "of the image of a triangle of the water, in texels: where light folds it goes to 0, and its "
@@ -80,7 +81,7 @@ CausticsOptions caustics_options(const ParamValues& params) {
                               : slicing == "uniform" ? Slicing::uniform
                                                      : Slicing::smart_read_back;
   options.least_area = params.number("least_area");
-  options.hit.steps = params.integer("steps");
+  options.steps = options.hit.steps = params.integer("steps");
   options.hit.straddling = params.text("straddling") == "split" ? Straddling::split : Straddling::drop;
   options.volumetric.drawing =
       params.text("slice_images") == "whole" ? SliceDrawing::whole : SliceDrawing::clusters;

@@ -15,6 +15,7 @@ enum class CausticsMethod { level_map, hit, volumetric };
 struct CausticsOptions {
   CausticsMethod method = CausticsMethod::level_map;
   int layers = 2;      ///< of the position map: with two, light that is bent aside is stopped by edges
+  int steps = 16;      ///< in which a ray is followed through the position map, at most
   int map_size = 512;  ///< texels along the edge of a receiver's maps
   bool fresnel = false;
   bool level_of_detail = false;  ///< no more slices than the receiver is pixels large

@@ -18,8 +18,10 @@ inline constexpr const char* kBlocks = "techniques/caustics/blocks.comp.glsl";
 inline constexpr const char* kBlockDepths = "techniques/caustics/block_depths.frag.glsl";
 inline constexpr const char* kLeastDepth = "techniques/caustics/least_depth.frag.glsl";
 inline constexpr const char* kCeilings = "techniques/caustics/ceilings.frag.glsl";
+inline constexpr const char* kCoarserBlocks = "techniques/caustics/coarser_blocks.comp.glsl";
 inline constexpr const char* kJudge = "techniques/caustics/judge.comp.glsl";
 inline constexpr const char* kMarkCuts = "techniques/caustics/mark_cuts.comp.glsl";
+inline constexpr const char* kCountCuts = "techniques/caustics/count_cuts.comp.glsl";
 inline constexpr const char* kPlaceCuts = "techniques/caustics/place_cuts.comp.glsl";
 inline constexpr const char* kListCuts = "techniques/caustics/list_cuts.comp.glsl";
 inline constexpr const char* kLandingVertex = "techniques/caustics/landing.vert.glsl";
@@ -33,12 +35,12 @@ inline constexpr const char* kShadeFragment = "techniques/caustics/shade.frag.gl
 inline constexpr const char* kUnlit = "techniques/caustics/unlit.frag.glsl";
 inline constexpr const char* kCast = "techniques/caustics/cast.frag.glsl";
 
-inline constexpr std::array kCausticsShaders{kSurfaceVertex, kReceiverVertex, kReceiverFragment, kPlaneDepth,
-                                             kVolumeVertex,  kVolumeFragment, kUsedPlanes,       kListPlanes,
-                                             kHits,          kBlocks,         kBlockDepths,      kLeastDepth,
-                                             kCeilings,      kJudge,          kMarkCuts,         kPlaceCuts,
-                                             kListCuts,      kLandingVertex,  kLandingFragment,  kSweepVertex,
-                                             kSweepFragment, kCombine,        kShadeFragment,    kUnlit,
-                                             kCast,          kWaterVertex,    kWaterFragment};
+inline constexpr std::array kCausticsShaders{
+    kSurfaceVertex,   kReceiverVertex, kReceiverFragment, kPlaneDepth,   kVolumeVertex,
+    kVolumeFragment,  kUsedPlanes,     kListPlanes,       kHits,         kBlocks,
+    kCoarserBlocks,   kCountCuts,      kBlockDepths,      kLeastDepth,   kCeilings,
+    kJudge,           kMarkCuts,       kPlaceCuts,        kListCuts,     kLandingVertex,
+    kLandingFragment, kSweepVertex,    kSweepFragment,    kCombine,      kShadeFragment,
+    kUnlit,           kCast,           kWaterVertex,      kWaterFragment};
 
 }  // namespace lightbench

@@ -2,6 +2,12 @@
 
 namespace lightbench {
 
+std::optional<OccluderMap> draw_occluders(FrameContext& frame, const ReceiverMap& map, const MapRays& rays,
+                                          const CausticsOptions& options) {
+  if (options.layers == 1) return std::nullopt;
+  return OccluderMap(frame, map, rays.most_step, options.steps);
+}
+
 GlTexture draw_caustics(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes,
                         const CausticsOptions& options) {
   switch (options.method) {

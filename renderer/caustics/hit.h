@@ -14,7 +14,7 @@ enum class Straddling {
 };
 
 struct HitOptions {
-  int steps = 16;    ///< along a ray, before ten bisections
+  int steps = 16;    ///< in which a ray is followed to where it lands, before ten bisections
   int slices = 100;  ///< of the box: a landing may be off the surface by the height of one of them
   Straddling straddling = Straddling::split;
 };

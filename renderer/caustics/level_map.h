@@ -33,7 +33,8 @@ inline constexpr int kMaxSlices = 8190;  ///< what plane_depth of techniques/cau
 GlTexture draw_level_map(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes,
                          const LevelMapOptions& options);
 
-/// Adds what all volumes send through one plane to a target of RGBA32F, whatever stands there.
+/// Adds what all volumes send through one plane to a target of RGBA32F, on texels tilted as the position map
+/// has it; with occluders only on texels that belong to the plane.
 void draw_plane(FrameContext& frame, const ReceiverMap& map, const Volumes& volumes, int plane, int slices,
                 const Framebuffer& target);
 

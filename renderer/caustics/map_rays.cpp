@@ -67,7 +67,6 @@ MapRays map_rays(const Mesh& water, const WaterLight& light, const ReceiverBox& 
     const MapRay ray = map_ray(box, glm::dvec3(water.positions[i]), glm::dvec3(light.directions[i]));
     rays.push_back(ray);
     result.places.emplace_back(ray.place, ray.place_step);
-    result.most_step = glm::max(result.most_step, glm::abs(glm::vec2(ray.place_step)));
     result.ways.emplace_back(ray.way, ray.way_step);
   }
   const double map_area = box.size.x * box.size.z;
@@ -83,6 +82,8 @@ MapRays map_rays(const Mesh& water, const WaterLight& light, const ReceiverBox& 
     }
     if (culling == VolumeCulling::on && !may_reach(volume)) continue;
     result.corners.push_back(corners);
+    for (const MapRay& ray : volume)
+      result.most_step = glm::max(result.most_step, glm::abs(glm::vec2(ray.place_step)));
     result.triangles.push_back({glm::vec4(flux, 0), glm::vec4(map_area * area(volume), 0)});
   }
   return result;

@@ -27,7 +27,7 @@ struct MapRays {
   std::vector<glm::vec2> spots;     ///< as WaterLight has them
   std::vector<glm::uvec3> corners;  ///< of the triangles whose light may reach the box
   std::vector<Triangle> triangles;
-  glm::vec2 most_step{0};  ///< of all places, without signs: by how much a unit of z moves a ray at most
+  glm::vec2 most_step{0};  ///< by how much a unit of z moves a ray of those triangles at most, either way
   std::size_t lit = 0;     ///< triangles that let light in
   std::size_t sideways =
       0;  ///< of them, those with a ray that runs across the box's axis or up it, which no map shows

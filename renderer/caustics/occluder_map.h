@@ -8,7 +8,8 @@ namespace lightbench {
 class FrameContext;
 
 /// What can stop light beside its way along a receiver's axis: waves bend light aside, so that on its way to
-/// a texel it passes what the map shows in others.
+/// a texel it passes what the map shows in others. What stands beside the receiver's box is in no texel and
+/// stops none.
 class OccluderMap {
  public:
   /// Draws the second layer of the map. `most_step`: by how much rays move over the map for each unit of
@@ -21,8 +22,9 @@ class OccluderMap {
  private:
   int steps_;
   GlTexture exits_;  ///< of draw_exits
-  /// R32F, a texel for each block of 8 x 8: the least depth of what can stop light on its way to the receiver
-  /// there, or 2.
+  int block_;        ///< texels along an edge of the map's blocks
+  /// R32F, a texel for each block: the least depth of what can stop light on its way to the receiver there,
+  /// or 2.
   GlTexture ceilings_;
 };
 

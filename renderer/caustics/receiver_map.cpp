@@ -13,16 +13,23 @@
 namespace lightbench {
 namespace {
 
-/// How far the scene reaches over a box, in its depths.
-double reach_over(const ReceiverBox& box, const Bounds& scene) {
+/// How far the scene reaches over a box and below its far side, in its depths.
+struct Reach {
   double over = 0;
+  double below = 0;
+};
+
+Reach reach_of(const ReceiverBox& box, const Bounds& scene) {
+  Reach reach;
   for (int corner = 0; corner < 8; ++corner) {
     const glm::dvec3 point((corner & 1) != 0 ? scene.max.x : scene.min.x,
                            (corner & 2) != 0 ? scene.max.y : scene.min.y,
                            (corner & 4) != 0 ? scene.max.z : scene.min.z);
-    over = std::max(over, -box.to_map(point).z);
+    const double depth = box.to_map(point).z;
+    reach.over = std::max(reach.over, -1.001 * depth);
+    reach.below = std::max(reach.below, 1.001 * (depth - 1));
   }
-  return 1.001 * over;
+  return reach;
 }
 
 /// A view along the box's axis between two depths in it; nearer to the light is greater, as elsewhere.
@@ -58,15 +65,8 @@ ReceiverPrograms receiver_programs(FrameContext& frame, const ReceiverMap& map, 
   return {solid, cutout};
 }
 
+constexpr float kNoExit = -1e30f;
 constexpr unsigned kPlacesUnit = 7;  // of receiver.frag.glsl, after those of materials
-
-/// What stands over the box, too.
-void draw_whole_box(FrameContext& frame, const ReceiverMap& map, const Program& solid,
-                    const Program& cutout) {
-  const double over = reach_over(map.box, frame.gpu_scene().bounds());
-  frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(map.box, -over, 1), map.box.center,
-                                  FrustumCulling::on);
-}
 
 /// The box's depth is written as it is. Triangles that reach beyond what is drawn are not cut there, so that
 /// they are interpolated to the same bits by the whole box and by its slices.
@@ -94,13 +94,15 @@ ReceiverMap draw_receiver_map(FrameContext& frame, const ReceiverBox& box, std::
   const Framebuffer target =
       colored ? Framebuffer({&map.places, &map.diffuse}, &depth) : Framebuffer({&map.places}, &depth);
   target.bind();
-  target.clear_color(0, 2, 0, 0, 0);
+  target.clear_color(0, 2, -4, 0, 0);  // no entity
   if (colored) target.clear_color(1, 0, 0, 0, 0);
   target.clear_depth(1);
   const MapState state;
   const auto [solid, cutout] =
       receiver_programs(frame, map, colored ? ShaderDefines{"WITH_DIFFUSE"} : ShaderDefines{});
-  draw_whole_box(frame, map, solid, cutout);
+  const double over = reach_of(box, frame.gpu_scene().bounds()).over;
+  frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(box, -over, 1), box.center,
+                                  FrustumCulling::on);
   return map;
 }
 
@@ -110,12 +112,14 @@ GlTexture draw_exits(FrameContext& frame, const ReceiverMap& map) {
   const GlTexture depth(TexelFormat::depth32f, size, size);
   const Framebuffer target({&exits}, &depth);
   target.bind();
-  target.clear_color(0, 0, 0, 0, 0);
+  target.clear_color(0, kNoExit, 0, 0, 0);
   target.clear_depth(1);
   const MapState state;
   const auto [solid, cutout] = receiver_programs(frame, map, {"EXITS"});
   map.places.bind(kPlacesUnit);
-  draw_whole_box(frame, map, solid, cutout);
+  const Reach reach = reach_of(map.box, frame.gpu_scene().bounds());
+  frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(map.box, -reach.over, 1 + reach.below),
+                                  map.box.center, FrustumCulling::on);
   return exits;
 }
 
@@ -131,7 +135,7 @@ void draw_slice(FrameContext& frame, const ReceiverMap& map, const Slice& slice,
     program->set("slices", float(slice.slices));
   }
   // A little more than what is nearest to the plane.
-  const double over = reach_over(map.box, frame.gpu_scene().bounds()), half = 0.501 / slice.slices;
+  const double over = reach_of(map.box, frame.gpu_scene().bounds()).over, half = 0.501 / slice.slices;
   const double depth = double(slice.plane) / slice.slices;
   const double near = slice.plane == 0 ? -over : depth - half;
   frame.gpu_scene().draw_surfaces(solid, cutout, clip_from_world(map.box, near, depth + half), map.box.center,

@@ -22,10 +22,10 @@ enum class ReceiverColor {
 struct ReceiverMap {
   ReceiverBox box;
   std::size_t receiver = 0;  ///< which entity
-  /// RGBA32F: the depth in the box of the first surface below the water, 0 to 1 (less for what stands over
-  /// the box, 2 where there is none); 1 where that is the receiver's, else 0, so that others shade it, and 2
-  /// more where it is a back face; by how much the plane of its triangle gets deeper along each side of the
-  /// map.
+  /// RGBA32F, a texel as techniques/caustics/places.glsl reads it: the depth in the box of the first surface
+  /// below the water, 0 to 1 (less for what stands over the box, 2 where there is none); whose that is, so
+  /// that others shade the receiver; by how much the plane of its triangle gets deeper along each side of the
+  /// map, no more than the map's size.
   GlTexture places;
   GlTexture diffuse;  ///< RGBA16F: its linear colour, if that is asked for
 };
@@ -45,9 +45,8 @@ struct Slice {
 void draw_slice(FrameContext& frame, const ReceiverMap& map, const Slice& slice, const Framebuffer& target,
                 FrustumCulling culling);
 
-/// R32F, as large as the map: the depth at which what the map shows ends, if the next surface behind it has
-/// its other side towards the light, as those of solids have; else, as for a sheet, nothing above its own
-/// depth.
+/// R32F, as large as the map: the depth at which what the map shows ends, which is the next surface behind it
+/// of the same entity with its other side towards the light; -1e30 where there is none, as behind a sheet.
 GlTexture draw_exits(FrameContext& frame, const ReceiverMap& map);
 
 /// A depth buffer of the plane that each texel belongs to, of `slices` + 1, as plane_depth of

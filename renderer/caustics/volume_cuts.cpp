@@ -11,7 +11,7 @@
 namespace lightbench {
 namespace {
 
-// Storage blocks of mark_cuts, place_cuts and list_cuts.
+// Storage blocks of mark_cuts, count_cuts, place_cuts and list_cuts.
 enum Block : unsigned { kRays, kCorners, kMarks, kCounts, kCuts };
 // Of volume.vert.glsl and volume.frag.glsl.
 enum DrawnBlock : unsigned { kDrawnCuts = 2, kDrawnRays, kDrawnWays, kDrawnCorners, kDrawnSpots };
@@ -52,7 +52,7 @@ bool VolumeCuts::list_next() {
   const int listed = next_ - first_;
   const Program& mark = frame_.compute_program(kMarkCuts);
   mark.set("first", first_);
-  mark.set("triangle_count", next_);
+  mark.set("listed", listed);
   mark.set("slices", slices_);
   mark.set("words", words_);
   map_.places.bind(0);
@@ -60,8 +60,12 @@ bool VolumeCuts::list_next() {
   volumes_.corners.bind_storage(kCorners);
   blocks_.bind_storage(kMapBlocksBlock);
   marks_.bind_storage(kMarks);
+  frame_.compute(mark, listed * words_);
+  const Program& count = frame_.compute_program(kCountCuts);
+  count.set("listed", listed);
+  count.set("words", words_);
   counts_.bind_storage(kCounts);
-  frame_.compute(mark, listed);
+  frame_.compute(count, listed);
   const Program& place = frame_.compute_program(kPlaceCuts);
   place.set("groups", groups_of(listed));
   command_.bind_storage(kDrawVolumesBlock);

@@ -25,10 +25,10 @@ Volumes::Volumes(const MapRays& rays, const ReceiverMap& map, const glm::vec3& a
       corners(buffer_of(rays.corners)),
       triangles(buffer_of(rays.triangles)),
       absorption(absorption_),
-      map_area(float(map.box.size.x * map.box.size.z)),
       shade(shade_),
       occluders(occluders_) {
-  least_area = float(least_texels) * map_area / (float(map.places.width()) * float(map.places.height()));
+  least_area = float(least_texels * map.box.size.x * map.box.size.z) /
+               (float(map.places.width()) * float(map.places.height()));
   vertices.attribute(0, places, 4);
   vertices.attribute(1, ways, 2);
   vertices.attribute(2, spots, 2);
@@ -45,7 +45,6 @@ void Volumes::set_uniforms(const Program& program) const {
   if (shade) shade->bind(1);
   if (occluders) occluders->set_uniforms(program);
   program.set("absorption", absorption);
-  program.set("map_area", map_area);
   program.set("least_area", least_area);
 }
 

@@ -31,7 +31,6 @@ struct Volumes {
   Buffer triangles;            ///< MapRays::Triangle
   VertexArray vertices;        ///< places, ways and spots, indexed by corners
   glm::vec3 absorption{0};
-  float map_area = 0;    ///< in the world
   float least_area = 0;  ///< in the world
   const GlTexture* shade = nullptr;
   const OccluderMap* occluders = nullptr;

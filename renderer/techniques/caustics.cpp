@@ -10,7 +10,6 @@
 #include "renderer/caustics/caustics_shaders.h"
 #include "renderer/caustics/draw_caustics.h"
 #include "renderer/caustics/map_rays.h"
-#include "renderer/caustics/occluder_map.h"
 #include "renderer/caustics/receiver_map.h"
 #include "renderer/caustics/water_shade.h"
 #include "renderer/caustics/water_view.h"
@@ -107,7 +106,7 @@ void light(FrameContext& frame, const CausticsOptions& options, const Mesh& mesh
       std::optional<OccluderMap> occluders;
       frame.pass("position map", [&] {
         map = draw_receiver_map(frame, box, receiver, options.map_size, options.color);
-        if (options.layers > 1) occluders.emplace(frame, map, rays.most_step, options.hit.steps);
+        occluders = draw_occluders(frame, map, rays, options);
       });
       frame.pass("caustics", [&] {
         const Volumes volumes(rays, map, water.absorption, options.least_area, shade ? &*shade : nullptr,
@@ -175,6 +174,7 @@ std::vector<std::string> unsupported(const Scene& scene, const ParamValues&) {
 Technique caustics_technique() {
   Technique technique;
   technique.name = "caustics";
+  technique.version = 2;
   technique.doc =
       "Light that waves bend onto what lies in the water, by maps of the receivers along the light instead "
       "of rays.";

@@ -1,7 +1,6 @@
-// For each block of a position map, the least depth of what can stop a ray on its way to a surface in the block; 2 where
-// nothing can.
-#include "techniques/caustics/blocks.glsl"
-
+// For each block of texels of a position map, the least depth of what can stop a ray on its way to a surface in the block;
+// 2 where nothing can.
+uniform int occluder_block;  // texels along an edge of a block
 layout(binding = 0) uniform sampler2D depths;  // of block_depths.frag.glsl
 layout(binding = 1) uniform sampler2D least;   // of least_depth.frag.glsl
 uniform ivec2 map_size;
@@ -14,7 +13,7 @@ void main() {
   ivec2 block = ivec2(gl_FragCoord.xy);
   float deepest = texelFetch(depths, block, 0).y;
   ceiling = 2.0;
-  vec2 block_size = vec2(kBlock) / vec2(map_size);
+  vec2 block_size = vec2(occluder_block) / vec2(map_size);
   // From farther away no ray falls low enough.
   float most_fall = max(deepest - texelFetch(least, ivec2(0), 0).r, 0.0);
   ivec2 reach = ivec2(min(most_fall * most_step / block_size, vec2(count))) + 1;

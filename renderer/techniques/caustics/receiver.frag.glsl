@@ -29,18 +29,24 @@ uniform float map_size;
 uniform int entity;
 uniform int receiver;
 
-// In the order of depth, and exactly what is kept within the box, so that its slices agree with the whole of it on what is
-// nearest; what stands over the box is squeezed before that.
+// What is kept of depth to find what is nearest.
 float order_of(float depth) {
+#ifdef EXITS
+  return 0.5 + 0.5 * depth / (1.0 + abs(depth));  // as deep as the scene reaches
+#else
+  // Exactly the depth within the box, so that its slices agree with the whole of it; what stands over the box is squeezed
+  // before that.
   const float kOver = 1e-10;
   return min(depth > kOver ? depth : kOver / (1.0 - depth), 1.0);
+#endif
 }
 
 void main() {
   float depth = depth_height.x;
-  // Of the triangle's own plane, so that no edge of the receiver is in it. Depth is linear over a triangle: differences to
-  // fragments beside it, which also lie on the plane outside of the triangle, are exact.
-  vec2 gradient = map_size * vec2(dFdx(depth), dFdy(depth));
+  // Of the triangle's own plane, so that no edge of the receiver is in it. Depth is linear over a triangle, and fragments beside
+  // it lie on its plane too, so that differences are as exact as OpenGL places its corners. A plane that is steeper than
+  // the box is high over one texel leaves the box within it.
+  vec2 gradient = clamp(map_size * vec2(dFdx(depth), dFdy(depth)), -map_size, map_size);
 #ifdef WITH_DIFFUSE
   diffuse = vec4(surface_diffuse(surface_uv, surface_color), 1.0);
 #endif
@@ -49,19 +55,19 @@ void main() {
 #endif
   if (depth_height.y > water_top) discard;
   gl_FragDepth = order_of(depth);
-  bool own = entity == receiver;
   bool is_back = gl_FrontFacing;  // the map's sides and the way of the light make a left-handed system
 #if defined(SLICE)
   // What stands over the box comes first.
   if (max(nearest_plane(depth, slices), 0) != slice) discard;
-  image = vec4(vec3(own ? 1.0 : 0.0), 1.0);
+  image = vec4(vec3(entity == receiver ? 1.0 : 0.0), 1.0);
 #elif defined(EXITS)
   vec4 first = texelFetch(places, ivec2(gl_FragCoord.xy), 0);
+  // What else stands in or against a solid does not end it.
+  if (entity != entity_of(first) || is_back == shows_back_face(first)) discard;
   // By more than programs may differ by in what they interpolate.
   if (depth <= first.x + 1e-6 * max(abs(first.x), 1.0)) discard;
-  // A solid ends where a surface faces the other way; a sheet has no inside.
-  exit_depth = shows_back_face(first) != is_back ? depth : first.x;
+  exit_depth = depth;
 #else
-  place = vec4(depth, (own ? 1.0 : 0.0) + (is_back ? 2.0 : 0.0), gradient);
+  place = vec4(depth, owner_of(entity, receiver, is_back), gradient);
 #endif
 }

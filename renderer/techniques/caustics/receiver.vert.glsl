@@ -12,6 +12,8 @@ layout(location = 0) noperspective out vec2 depth_height;  // in the box; above 
 layout(location = 1) noperspective out vec2 surface_uv;
 layout(location = 2) noperspective out vec3 surface_color;
 
+invariant gl_Position;  // alike for the map, its second layer and slices
+
 void main() {
   vec4 relative = relative_from_object * vec4(position, 1.0);
   precise float depth = dot(depth_in_box, relative);  // alike for the whole box and for its slices

@@ -30,6 +30,7 @@ layout(location = 3) out vec2 spot;
 layout(location = 4) out vec2 ray_step;
 
 invariant gl_Position;  // alike in all ways of drawing, to the bit
+invariant way;
 
 void main() {
 #ifdef LISTED_CUTS

@@ -35,6 +35,7 @@ struct DrawnOptions {
   int size = 128;  ///< texels along an edge of its maps
   VolumeCulling culling = VolumeCulling::on;
   bool occluders = true;  ///< whether edges stop light that waves bend aside
+  int steps = 16;         ///< in which that light is followed
 };
 
 /// A receiver's map and the volumes of the first light.
@@ -44,7 +45,7 @@ struct DrawnReceiver {
                               options.size, ReceiverColor::surface)),
         shade(draw_water_shade(frame, frame.scene().lights[0])),
         rays(rays_of(frame.scene(), map.box, options.culling)),
-        occluders(options.occluders ? std::make_unique<OccluderMap>(frame, map, rays.most_step, 16)
+        occluders(options.occluders ? std::make_unique<OccluderMap>(frame, map, rays.most_step, options.steps)
                                     : nullptr),
         volumes(rays, map, frame.scene().water->absorption, 1.0 / 256, shade ? &*shade : nullptr,
                 occluders.get()) {}
