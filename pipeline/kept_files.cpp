@@ -30,8 +30,7 @@ Outputs outputs_of(const Plan& plan) {
         shared_export_folder(plan.job, task.scene, plan.job.references[std::size_t(task.reference)].kind));
   }
   std::ranges::sort(outputs.folders);
-  const auto repeated = std::ranges::unique(outputs.folders);
-  outputs.folders.erase(repeated.begin(), repeated.end());
+  outputs.folders.erase(std::unique(outputs.folders.begin(), outputs.folders.end()), outputs.folders.end());
   return outputs;
 }
 
