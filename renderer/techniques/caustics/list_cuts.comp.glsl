@@ -1,22 +1,17 @@
 // Lists the cuts that are marked, in the order of the triangles: so that the light in a texel is summed in one order whichever
 // planes are drawn.
 #include "shaders/compute.glsl"
+#include "techniques/caustics/cut_marks.glsl"
 #include "techniques/caustics/cuts.glsl"
 
-layout(std430, binding = 2) readonly buffer Marks { uint marks[]; };
 layout(std430, binding = 3) readonly buffer Counts { uint counts[]; };  // before each group
 layout(std430, binding = 4) writeonly buffer Cuts { uint cuts[]; };
-uniform int listed;  // triangles
-uniform int words;
 
 shared uint count_of[gl_WorkGroupSize.x];
 
 void main() {
   int number = int(gl_GlobalInvocationID.x);
-  uint count = 0u;
-  if (number < listed)
-    for (int word = 0; word < words; ++word) count += uint(bitCount(marks[number * words + word]));
-  count_of[gl_LocalInvocationID.x] = count;
+  count_of[gl_LocalInvocationID.x] = marked_planes(number);
   barrier();
   if (number >= listed) return;
   uint place = counts[gl_WorkGroupID.x];

@@ -43,7 +43,7 @@ float order_of(float depth) {
 
 void main() {
   float depth = depth_height.x;
-  // Of the triangle's own plane, so that no edge of the receiver is in it. Depth is linear over a triangle, and fragments beside
+  // The slope is that of the triangle's own plane, so that no edge of the receiver is in it. Depth is linear over a triangle, and fragments beside
   // it lie on its plane too, so that differences are as exact as OpenGL places its corners. A plane that is steeper than
   // the box is high over one texel leaves the box within it.
   vec2 gradient = clamp(map_size * vec2(dFdx(depth), dFdy(depth)), -map_size, map_size);

@@ -34,7 +34,7 @@ void main() {
 #endif
   if (way <= 0.0) discard;  // above the water
 #ifdef OCCLUDERS
-  // Of the planes through a texel only its own is to be lit.
+  // A texel takes light from its own plane alone.
   if (plane_of(place, slices) != plane || is_occluded(places, texel, place, ray_step)) discard;
 #endif
 #ifdef LISTED_CUTS

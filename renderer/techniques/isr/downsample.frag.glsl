@@ -47,7 +47,7 @@ void add(Surface s, inout Surface sum) {
   sum.mask += s.mask;
 }
 
-// Of unit length. Opposite normals have no mean: then it is that of one pixel.
+// Returns the mean of normals, of unit length. Opposite normals have none; for them it returns that of one pixel.
 vec3 mean_normal(vec3 sum, vec3 one) { return dot(sum, sum) > 1e-6 ? normalize(sum) : one; }
 
 Surface mean_surface(Surface sum, float count, Surface one) {

@@ -21,14 +21,14 @@ inline Scene tilted_water_scene() {
   return scene;
 }
 
-/// By how much those rays move along x for each unit that they fall: Snell's law at the plane, whose normal
-/// is atan(0.5) off the light.
+/// Returns by how much those rays move along x for each unit that they fall: Snell's law at the plane, whose
+/// normal is atan(0.5) off the light.
 inline double tilted_water_step(const Scene& scene) {
   const double before = std::atan(0.5), after = std::asin(std::sin(before) / double(scene.water->ior));
   return std::tan(before - after);
 }
 
-/// What then passes through each unit of level area, of a light of 1. Two rays that enter a unit apart along
+/// Returns what of a light of 1 then passes through each unit of level area. Two rays that enter a unit apart along
 /// x enter half a unit of height apart, so that below both they are farther apart by what one of them moves
 /// over that fall.
 inline double tilted_water_flux(const Scene& scene) {
