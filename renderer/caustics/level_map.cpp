@@ -92,7 +92,7 @@ std::vector<std::size_t> texels_by_plane(const ReceiverMap& map, int slices) {
   const Image places = read_back(map.places, 4);
   std::vector<std::size_t> texels(std::size_t(slices) + 1, 0);
   for (std::size_t i = 0; i < places.data.size(); i += 4)
-    if ((int(places.data[i + 1]) & 1) == 1)
+    if ((int(places.data[i + 1]) & 1) == 1)  // as shows_receiver of places.glsl
       ++texels.at(std::size_t(std::floor(places.data[i] * float(slices) + 0.5f)));
   return texels;
 }
