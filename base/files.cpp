@@ -1,12 +1,8 @@
 #include "base/files.h"
 
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -17,10 +13,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t kMaxFileNameBytes = 120;
-
-std::string system_message() {
-  return std::strerror(errno);
-}
 
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' ||

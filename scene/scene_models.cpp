@@ -70,7 +70,7 @@ glm::mat4 model_transform(const glm::dmat4& entity, const glm::mat4& model, cons
 
 void check_distance(const PlacedModel& model, const Entity& entity, const std::string& where,
                     ProblemList& problems) {
-  if (model.origin == glm::dvec3(0) || model.bounds.empty() || entity.motion.keys.size() > 0) return;
+  if (model.origin == glm::dvec3(0) || model.bounds.empty() || !entity.motion.keys.empty()) return;
   Bounds bounds;
   for (const glm::vec3& corner : corners(model.bounds)) bounds.add(transform_point(entity.transform, corner));
   const glm::dvec3 size = glm::dvec3(model.bounds.max) - glm::dvec3(model.bounds.min);

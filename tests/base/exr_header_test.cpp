@@ -37,8 +37,8 @@ TEST_F(ExrHeader, OfAPictureFits) {
 TEST_F(ExrHeader, WithAnAttributeBeyondTheFileDoesNotFit) {
   EXPECT_TRUE(fits(kStart + "name\0string\0\x03\0\0\0abc\0"s));
   EXPECT_FALSE(fits(kStart + "name\0string\0\x05\0\0\0abc\0"s));
-  EXPECT_FALSE(fits(kStart + "name\0string\0\x03\0\0\x70" + "abc\0"s)) << "1.8 GB";
-  EXPECT_FALSE(fits(kStart + "name\0string\0\xff\xff\xff\xff" + "abc\0"s)) << "a negative size";
+  EXPECT_FALSE(fits(kStart + "name\0string\0\x03\0\0\x70"s + "abc\0"s)) << "1.8 GB";
+  EXPECT_FALSE(fits(kStart + "name\0string\0\xff\xff\xff\xff"s + "abc\0"s)) << "a negative size";
 }
 
 TEST_F(ExrHeader, ThatIsCutDoesNotFit) {

@@ -27,7 +27,7 @@ struct Part {
   float (*value)(int x, int y, int channel);
 };
 
-ImageSpec spec_of(int width, int height, const Names& channels, TypeDesc type = TypeDesc::FLOAT) {
+ImageSpec spec_of(int width, int height, const Names& channels, const TypeDesc& type = TypeDesc::FLOAT) {
   ImageSpec spec(width, height, int(channels.size()), type);
   spec.channelnames = channels;
   return spec;

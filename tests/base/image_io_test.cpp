@@ -182,7 +182,7 @@ TEST_F(ImageIo, APictureThatEndsAnywhereBeforeItsLastBytesIsAnError) {
   for (const std::string& format : test::kReadFormats) {
     const std::string bytes = test::encoded(format, test::picture());
     // What follows the pixels of a TGA.
-    const std::size_t spare = format == "targa" ? bytes.size() - 18 - 23 * 17 * 3 : 0;
+    const std::size_t spare = format == "targa" ? bytes.size() - 18 - std::size_t{23} * 17 * 3 : 0;
     for (std::size_t length = 0; length + spare < bytes.size(); length += 7) {
       write_quickly(file(test::file_name(format)), bytes.substr(0, length));
       ASSERT_THAT(error_of([&] { read_image(file(test::file_name(format))); }), HasSubstr("picture."))

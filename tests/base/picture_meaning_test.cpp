@@ -32,7 +32,7 @@ class PictureMeaning : public ::testing::Test {
     return folder_.path() / name;
   }
 
-  std::filesystem::path tiff(const std::string& name, OIIO::ImageSpec spec,
+  std::filesystem::path tiff(const std::string& name, const OIIO::ImageSpec& spec,
                              const std::vector<float>& pixels) const {
     const std::string file = (folder_.path() / name).string();
     auto output = OIIO::ImageOutput::create("tiff");
@@ -57,7 +57,7 @@ class PictureMeaning : public ::testing::Test {
   }
 
   /// A pixel of 8-bit RGB.
-  std::filesystem::path pixel(const std::string& chunks, std::string rgb = "\x80\x10\xff") const {
+  std::filesystem::path pixel(const std::string& chunks, const std::string& rgb = "\x80\x10\xff") const {
     return write("a.png", test::raw_png(1, 1, PngColor::rgb, 8, '\0' + rgb, chunks));
   }
 

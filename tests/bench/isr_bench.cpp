@@ -73,9 +73,10 @@ void isr(benchmark::State& state, const char* preset) {
   const ParamValues params = resolve_params(technique.params, technique.presets, preset, {}, "bench");
   Renderer renderer(GlBackend::osmesa);
   std::map<std::string, double> passes;
-  renderer.render(technique, params, {scene, view, 512, 384});
+  const FrameRequest frame{.scene = scene, .view = view, .width = 512, .height = 384, .buffers = {}};
+  renderer.render(technique, params, frame);
   for (auto _ : state)
-    for (const PassTime& pass : renderer.render(technique, params, {scene, view, 512, 384}).passes)
+    for (const PassTime& pass : renderer.render(technique, params, frame).passes)
       passes[pass.name] += 1e3 * pass.seconds;
   state.counters["triangles"] = double(triangle_count(scene));
   for (const auto& [pass, milliseconds] : passes)

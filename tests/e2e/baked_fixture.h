@@ -27,7 +27,7 @@ class Baked : public Program {
   }
 
   /// As soon as a file has so many bytes.
-  static constexpr std::size_t kKilledAt = 8 * 512;
+  static constexpr std::size_t kKilledAt = 4096;
   ProcessResult bake_that_is_killed() const {
     std::string command = "ulimit -f 8; exec '" LIGHTBENCH_BINARY "'";
     for (const std::string& argument : kBake) command += " " + argument;

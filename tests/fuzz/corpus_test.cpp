@@ -9,6 +9,11 @@
 
 /// Gives each fuzzed reader the files of its corpus: small valid ones, and one for each fault that was found.
 namespace lightbench::fuzz {
+/// Names the target where GoogleTest prints a parameter.
+void PrintTo(const FuzzTarget& target, std::ostream* stream) {
+  *stream << target.name;
+}
+
 namespace {
 
 const std::filesystem::path kCorpus = LIGHTBENCH_SOURCE_DIR "/tests/fuzz/corpus";
@@ -22,10 +27,6 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 
 bool is_valid(const std::filesystem::path& file) {
   return file.filename().string().starts_with("valid");
-}
-
-void PrintTo(const FuzzTarget& target, std::ostream* stream) {
-  *stream << target.name;
 }
 
 class Corpus : public ::testing::TestWithParam<FuzzTarget> {};

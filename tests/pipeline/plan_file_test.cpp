@@ -91,7 +91,7 @@ TEST(PlanFile, ATaskNeedsOnlyThoseBeforeIt) {
 }
 
 TEST(PlanFile, ABakeNeedsAnObjectAndAnOutput) {
-  const auto bake = [](nlohmann::json changes) {
+  const auto bake = [](const nlohmann::json& changes) {
     auto json = nlohmann::ordered_json::parse(plan_to_json(test::plan_of(test::concrete_job())));
     auto& task = json["tasks"][0];
     task["kind"] = "bake";

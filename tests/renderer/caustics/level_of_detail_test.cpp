@@ -61,7 +61,7 @@ TEST_P(GlLevelOfDetail, AReceiverThatIsLargerThanItsSlicesKeepsThem) {
 TEST_P(GlLevelOfDetail, AReceiverOfWhichThePictureShowsACornerKeepsItsSlices) {
   View view = from_front(60);
   // The lower right corner of the picture shows 24 x 24 of the 60 x 60 pixels of the ball's box.
-  const glm::vec3 aside(-0.5f + (24 - kWidth / 2) / 60.0f, 0.5f - (24 - kHeight / 2) / 60.0f, 0);
+  const glm::vec3 aside(-0.5f + (24 - kWidth / 2.0f) / 60.0f, 0.5f - (24 - kHeight / 2.0f) / 60.0f, 0);
   view.camera.position += aside;
   view.camera.look_at += aside;
   EXPECT_EQ(ball(view, 30, true), ball(view, 30, false));

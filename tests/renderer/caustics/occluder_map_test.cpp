@@ -75,7 +75,8 @@ std::vector<Place> shadow_behind(double x, double length, int steps = 16) {
   const double texel = 2 * kHalf / kSize;
   std::vector<Place> places{{x + length + 2 * texel, true}, {x + length + 0.1, true}};
   const double end = length - length / steps - 2 * texel;
-  for (double inside = 2 * texel; inside < end; inside += 3.3 * texel) places.push_back({x + inside, false});
+  for (int i = 0; 2 * texel + i * 3.3 * texel < end; ++i)
+    places.push_back({x + 2 * texel + i * 3.3 * texel, false});
   return places;
 }
 
@@ -138,7 +139,8 @@ TEST(GlOccluderMap, ASlopingSheetStopsAll) {
   for (const bool turned : {false, true}) {
     const Scene scene = floor_under([&](Scene& s) { add_sheet(s, 0.6f, 1.4f, turned); });
     std::vector<Place> places;
-    for (double x = 0.11; x < 0.1 + 1.4 * 0.1221 * 15 / 16 - 0.01; x += 0.005) places.push_back({x, false});
+    const double end = 0.1 + 1.4 * 0.1221 * 15 / 16 - 0.01;
+    for (int i = 0; 0.11 + i * 0.005 < end; ++i) places.push_back({0.11 + i * 0.005, false});
     expect_lit(scene, places);
   }
 }
